@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "asv/core/path/path.hpp"
+#include "asv/core/problem.hpp"
+
+/// The independent checker: every requirement of the assignment, decided with exact predicates and
+/// without any code of the planner.
+
+namespace asv::core {
+
+/// In the order in which they are reported.
+enum class Check { ends, steps, cost, broom_lengths, convexity, area, bounds, collisions };
+inline constexpr std::size_t check_count = 8;
+
+/// "ends", "steps", "cost", "broom lengths", "convexity", "area", "bounds", "collisions".
+std::string_view name(Check check);
+
+/// One violation or, where there is none, the state that comes nearest to one.
+struct Offender {
+    std::size_t state = 0;                ///< row of the path, 0 is the first state
+    std::optional<std::size_t> asv;       ///< 0-based, where one ASV is to blame
+    std::optional<std::size_t> broom;     ///< 0-based, broom i joins ASV i and i + 1
+    std::optional<std::size_t> obstacle;  ///< 0-based index into Problem::obstacles
+    double room = 0;                      ///< what is left to the limit; negative: violated by that much
+};
+
+/// The outcome of one check over all states.
+struct CheckResult {
+    Check check = Check::ends;
+    std::size_t states = 0;         ///< how many states (or steps) were looked at
+    std::size_t failures = 0;       ///< how many of them violate the requirement
+    std::optional<Offender> worst;  ///< the least room; none when nothing was looked at
+    bool ok() const { return failures == 0; }
+};
+
+struct ValidationOptions {
+    double tolerance = 1e-5;  ///< e of every requirement
+    bool continuous = false;  ///< also certify the motion between the primitive steps
+};
+
+struct ValidationReport {
+    std::vector<CheckResult> checks;
+    bool valid() const;
+};
+
+/// Checks a whole solution. Precondition: both have the same number of ASVs, path not empty.
+ValidationReport validate(const Problem& problem, const Solution& solution,
+                          const ValidationOptions& options = {});
+
+/// Checks one state alone (broom lengths, convexity, area, bounds, collisions): starts and goals.
+ValidationReport validate_state(const Problem& problem, std::span<const geometry::Point> state,
+                                const ValidationOptions& options = {});
+
+/// One sentence for a result: "broom 3 meets obstacle 5 by 0.0012", with 1-based numbers.
+std::string describe(const CheckResult& result);
+
+}  // namespace asv::core

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace asv::io {
+
+/// What could not be understood, and where. what() reads
+/// "FILE:LINE:COLUMN: expected EXPECTED, found FOUND"; line and column count from 1.
+class ParseError : public std::runtime_error {
+  public:
+    ParseError(std::string file, std::size_t line, std::size_t column, std::string expected,
+               std::string found);
+
+    const std::string& file() const { return file_; }
+    std::size_t line() const { return line_; }
+    std::size_t column() const { return column_; }
+    const std::string& expected() const { return expected_; }
+    const std::string& found() const { return found_; }
+
+  private:
+    std::string file_;
+    std::size_t line_;
+    std::size_t column_;
+    std::string expected_;
+    std::string found_;
+};
+
+/// A file that cannot be opened, read or written: what() reads "FILE: REASON".
+class FileError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace asv::io
