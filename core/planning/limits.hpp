@@ -1,0 +1,23 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <limits>
+#include <stop_token>
+
+namespace asv::core {
+
+using Clock = std::chrono::steady_clock;
+
+/// When a search has to end without a result. Every planner polls it in one place.
+struct Limits {
+    Clock::time_point deadline = Clock::time_point::max();
+    std::size_t max_iterations = std::numeric_limits<std::size_t>::max();
+    std::size_t max_nodes = std::numeric_limits<std::size_t>::max();
+    std::stop_token stop = {};
+
+    /// Stopped from outside or out of time. Reads the clock: some 30 ns.
+    bool expired() const { return stop.stop_requested() || Clock::now() >= deadline; }
+};
+
+}  // namespace asv::core
