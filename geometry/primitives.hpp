@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 /// Plain value types of the plane. No invariants beyond those written here, no behaviour.
 /// Units: workspace units (the side of the field is 1 in the classic problem).
 
@@ -28,6 +30,23 @@ struct Box {
 
 constexpr bool is_empty(const Box& box) {
     return box.low.x > box.high.x || box.low.y > box.high.y;
+}
+
+/// Is the point in the closed box?
+constexpr bool contains(const Box& box, const Point& point) {
+    return box.low.x <= point.x && point.x <= box.high.x && box.low.y <= point.y &&
+           point.y <= box.high.y;
+}
+
+/// Do the closed boxes share a point? Precondition: neither is empty.
+constexpr bool overlap(const Box& a, const Box& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
+/// The smallest box that holds the segment.
+constexpr Box bounds(const Segment& segment) {
+    return {{std::min(segment.a.x, segment.b.x), std::min(segment.a.y, segment.b.y)},
+            {std::max(segment.a.x, segment.b.x), std::max(segment.a.y, segment.b.y)}};
 }
 
 /// The box with every side moved outwards by margin (inwards where margin is negative).
