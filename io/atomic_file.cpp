@@ -129,7 +129,8 @@ std::string read_file(const fs::path& file) {
     if (!input.is_open() || ::fstat(input.number(), &status) != 0) fail<ReadError>(file, errno);
     if (S_ISDIR(status.st_mode)) fail<ReadError>(file, EISDIR);
     // One byte more than a regular file has, so that its end is seen without growing the buffer.
-    const std::size_t known = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
+    const std::size_t known =
+        S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
     std::string content(std::clamp(known + 1, block, largest_file + 1), '\0');
     std::size_t size = 0;
     while (true) {
