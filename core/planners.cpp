@@ -111,7 +111,18 @@ std::vector<Setting> settings_of(RrtConnectPlanner& planner) {
     };
 }
 
-std::string range(const Setting& setting) {
+[[noreturn]] void unknown_setting(Planner& planner, std::string_view given) {
+    std::ostringstream text;
+    text << "planner " << name(planner) << " has no setting '" << given << "'; there are:";
+    for (const Setting& s : settings(planner))
+        text << "\n  " << s.name << ": " << s.meaning << " (" << describe_range(s) << "; default " << s.get()
+             << ")";
+    throw std::invalid_argument(text.str());
+}
+
+}  // namespace
+
+std::string describe_range(const Setting& setting) {
     std::ostringstream text;
     if (setting.whole && setting.low == 0 && setting.high == 1)
         text << "on or off";
@@ -121,17 +132,6 @@ std::string range(const Setting& setting) {
     if (!setting.unit.empty()) text << ", " << setting.unit;
     return text.str();
 }
-
-[[noreturn]] void unknown_setting(Planner& planner, std::string_view given) {
-    std::ostringstream text;
-    text << "planner " << name(planner) << " has no setting '" << given << "'; there are:";
-    for (const Setting& s : settings(planner))
-        text << "\n  " << s.name << ": " << s.meaning << " (" << range(s) << "; default " << s.get()
-             << ")";
-    throw std::invalid_argument(text.str());
-}
-
-}  // namespace
 
 std::vector<std::string_view> planner_names() {
     std::vector<std::string_view> names;
@@ -174,12 +174,18 @@ void set(Planner& planner, std::string_view setting, std::string_view value) {
             given = std::nan("");
         }
         if (!(given >= s.low && given <= s.high) || (s.whole && given != std::floor(given)))
-            throw std::invalid_argument("setting " + s.name + " wants " + range(s) + ", not '" +
+            throw std::invalid_argument("setting " + s.name + " wants " + describe_range(s) + ", not '" +
                                         std::string(value) + "'");
         s.set(given);
         return;
     }
     unknown_setting(planner, setting);
+}
+
+void require_usable(const Planner& planner) {
+    if (const auto* classic = std::get_if<RrtConnectPlanner>(&planner))
+        if (classic->search.orders.empty())
+            throw std::invalid_argument("rrt-connect needs at least one order of growing its trees");
 }
 
 }  // namespace asv::core

@@ -53,11 +53,17 @@ struct Setting {
     std::function<void(double)> set;
 };
 
+/// What a setting may be: "a number from 0 to 1, workspace units".
+std::string describe_range(const Setting& setting);
+
 /// The settings of the planner, which has to outlive them.
 std::vector<Setting> settings(Planner& planner);
 
 /// Sets one setting. Throws std::invalid_argument, which says what there is, for an unknown name or
 /// a value that is out of range.
 void set(Planner& planner, std::string_view setting, std::string_view value);
+
+/// Throws std::invalid_argument when the settings contradict each other.
+void require_usable(const Planner& planner);
 
 }  // namespace asv::core

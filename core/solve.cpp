@@ -243,17 +243,6 @@ class Solver {
     SolveResult result_;
 };
 
-void require_valid_ends(const Problem& problem) {
-    for (const auto* end : {&problem.start, &problem.goal}) {
-        const ValidationReport report =
-            validate_state(problem, *end, {.tolerance = problem.requirements.tolerance});
-        for (const CheckResult& check : report.checks)
-            if (!check.ok())
-                throw std::invalid_argument(std::string(end == &problem.start ? "start" : "goal") +
-                                            " is not valid: " + describe(check));
-    }
-}
-
 }  // namespace
 
 std::string_view name(SolveStatus status) {
@@ -266,11 +255,23 @@ std::string_view name(SolveStatus status) {
     return "unknown";
 }
 
+std::vector<InvalidEnd> invalid_ends(const Problem& problem) {
+    std::vector<InvalidEnd> found;
+    for (const bool goal : {false, true}) {
+        const ValidationReport report =
+            validate_state(problem, goal ? problem.goal : problem.start,
+                           {.tolerance = problem.requirements.tolerance});
+        for (const CheckResult& check : report.checks)
+            if (!check.ok()) found.push_back({goal, describe(check)});
+    }
+    return found;
+}
+
 SolveResult solve(const Problem& problem, const SolveOptions& options) {
-    if (const auto* classic = std::get_if<RrtConnectPlanner>(&options.planner))
-        if (classic->search.orders.empty())
-            throw std::invalid_argument("rrt-connect needs at least one order of growing the trees");
-    require_valid_ends(problem);
+    require_usable(options.planner);
+    if (const auto invalid = invalid_ends(problem); !invalid.empty())
+        throw std::invalid_argument(std::string(invalid[0].goal ? "goal" : "start") +
+                                    " is not valid: " + invalid[0].reason);
     return Solver(problem, options).run();
 }
 

@@ -44,6 +44,12 @@ enum class SolveStatus { solved, timeout, infeasible, interrupted };
 /// "solved", "timeout", "infeasible", "interrupted".
 std::string_view name(SolveStatus status);
 
+/// A requirement that the start or the goal of a problem violates.
+struct InvalidEnd {
+    bool goal = false;   ///< of the goal, else of the start
+    std::string reason;
+};
+
 /// A search tree as a picture shows it: where ASV 1 stands at each node, and the node's parent.
 struct TreePicture {
     std::vector<geometry::Point> points;
@@ -53,6 +59,7 @@ struct TreePicture {
 struct SolveStatistics {
     double time_to_first = 0, time_total = 0;  ///< seconds
     double cost_first = 0, cost = 0;           ///< workspace units
+    double cost_lower_bound = 0;               ///< no path costs less
     std::size_t tree_nodes[2] = {0, 0};
     std::size_t iterations = 0;
     std::uint64_t state_checks = 0, edge_checks = 0;
@@ -67,6 +74,10 @@ struct SolveResult {
     SolveStatistics statistics;
     std::vector<TreePicture> trees;      ///< that of the start, that of the goal
 };
+
+/// Which end of the problem is not valid and why: which requirement, which ASV, broom or obstacle, by
+/// how much; empty when both are valid.
+std::vector<InvalidEnd> invalid_ends(const Problem& problem);
 
 /// Plans, improves and checks. The same options with one thread and enough time give the same
 /// solution, byte for byte, with the first path and with optimize == 0.
