@@ -154,7 +154,9 @@ MotionChecker::Reach MotionChecker::reach(double t, double back, double ahead) {
     Reach result{back, ahead};
     for (std::size_t i = 0; i < chain_.turn_count(); ++i) {
         const double turn = row_[3 + i], rate = step_[3 + i];
-        if (!limit(turn - constraints_.minimum_turn[i], rate, 0, result.back, result.ahead) ||
+        // Straight joints are common, and interpolating between them rounds.
+        if (!limit(turn - constraints_.minimum_turn[i] + rounding, rate, 0, result.back,
+                   result.ahead) ||
             !limit(constraints_.maximum_turn - turn, -rate, 0, result.back, result.ahead))
             return invalid;
     }

@@ -8,6 +8,7 @@
 #include "asv/core/space/chain_constraints.hpp"
 #include "asv/core/space/metric.hpp"
 #include "asv/core/space/obstacle_field.hpp"
+#include "asv/core/space/steering/dual_active_set.hpp"
 
 namespace asv::core {
 
@@ -16,8 +17,7 @@ namespace asv::core {
 ///     minimise |y - wish|^2  subject to  G y >= b
 ///
 /// in the metric's scaled coordinates. The rows of G are the gradients of the near constraints
-/// (broom against box, ASV against bounds, turns, closing turns, closing length, area); solved in the
-/// dual by projected Gauss-Seidel sweeps (Hildreth, 1957).
+/// (broom against box, ASV against bounds, turns, closing turns, closing length, area).
 class ConstrainedStep {
   public:
     ConstrainedStep(const Chain& chain, const ChainConstraints& constraints,
@@ -33,19 +33,23 @@ class ConstrainedStep {
     void pull(std::size_t asv, double dx, double dy, double stiffness);
 
     /// The step for a wish, both in scaled coordinates; valid until the next call.
-    std::span<const double> solve(std::span<const double> wish);
+    std::span<const double> solve(std::span<const double> wish) { return program_.solve(wish); }
 
     /// Did a constraint push back in the last solve()?
-    bool pushed() const { return pushed_; }
+    bool pushed() const { return program_.pushed(); }
     /// The pose at the row of the last linearise().
     const Pose& pose() const { return pose_; }
 
   private:
-    double* add_row(double limit, double compliance = 0);
-    void keep_row(double reach);
-    void point_row(std::size_t broom, double fraction, double nx, double ny, double* row);
-    void from_heading_gradient(double* row);
+    void keep(double limit, double reach, std::span<const double> row);
+    void point_row(std::size_t broom, double fraction, double nx, double ny, std::span<double> row);
+    void from_heading_gradient(std::span<double> row);
+    void keep_point(std::size_t broom, double fraction, double nx, double ny, double limit,
+                    double reach);
+    void keep_shape(double limit, double reach);
+    void near_turns(std::span<const double> configuration, double step_length);
     void near_boxes(double step_length, double margin);
+    void near_box(std::size_t broom, const geometry::Box& box, double step_length, double margin);
     void near_bounds(double step_length, double margin);
     void near_shape(double step_length, double strictness);
 
@@ -56,12 +60,7 @@ class ConstrainedStep {
     Pose pose_;
     NearBoxes near_;
     std::vector<double> heading_gradient_;
-    std::size_t row_count_ = 0;
-    std::vector<double> rows_;  ///< row_count_ x dimension
-    std::vector<double> limit_, norm_, multiplier_, compliance_;
-    std::vector<double> turn_limit_, turn_multiplier_;
-    std::vector<double> step_;
-    bool pushed_ = false;
+    DualActiveSet program_;
 };
 
 }  // namespace asv::core

@@ -45,7 +45,7 @@ Steered SlideSteering::slide(std::span<const double> from, std::span<const doubl
         constrained_.linearise(row_, length, pace.margin, pace.margin / options_.margin);
         const auto step = constrained_.solve(wish_);
         free_ahead = !constrained_.pushed();
-        for (std::size_t k = 0; k < next_.size(); ++k) next_[k] = row_[k] + step[k] / metric_.scale(k);
+        take(step);
         if (distance - metric_.distance(next_, target) < options_.progress * length) {
             if (!tighten(pace)) return outcome;
             continue;
@@ -80,7 +80,7 @@ Steered SlideSteering::pull(std::span<const double> from, std::size_t asv,
         constrained_.linearise(row_, length, pace.margin, pace.margin / options_.margin);
         constrained_.pull(asv, dx * length / distance, dy * length / distance, stiffness);
         const auto step = constrained_.solve(wish_);
-        for (std::size_t k = 0; k < next_.size(); ++k) next_[k] = row_[k] + step[k] / metric_.scale(k);
+        take(step);
         chain.forward(next_, pose);
         const double left = std::hypot(target.x - pose.x[asv], target.y - pose.y[asv]);
         if (distance - left < options_.progress * length) {
@@ -98,6 +98,13 @@ Steered SlideSteering::pull(std::span<const double> from, std::size_t asv,
         pace.step = std::min(options_.step, 2 * pace.step);
     }
     return outcome;
+}
+
+/// next_ = row_ + step, with turns that the solver left a little below straight put right.
+void SlideSteering::take(std::span<const double> step) {
+    for (std::size_t k = 0; k < next_.size(); ++k) next_[k] = row_[k] + step[k] / metric_.scale(k);
+    const auto& least = checker_.constraints().minimum_turn;
+    for (std::size_t i = 0; i < least.size(); ++i) next_[3 + i] = std::max(next_[3 + i], least[i]);
 }
 
 /// Gives up half-measures: a quarter of the margin, full steps again; false at a hair.

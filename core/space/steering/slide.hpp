@@ -54,7 +54,7 @@ class SlideSteering {
     struct Pace {
         double step, margin;
     };
-    bool try_step(std::span<const double> wish, double length, Pace& pace);
+    void take(std::span<const double> step);
     bool tighten(Pace& pace) const;
     bool go_straight(std::span<const double> target, double distance, Rows& visited);
     void keep(Rows& visited);
