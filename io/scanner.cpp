@@ -97,8 +97,12 @@ std::optional<double> Scanner::number() {
     return take<double>();
 }
 
-std::optional<std::uint64_t> Scanner::count() {
-    return take<std::uint64_t>();
+std::optional<std::uint64_t> Scanner::count(std::uint64_t least) {
+    const char* const before = position_;
+    const std::optional<std::uint64_t> value = take<std::uint64_t>();
+    if (value && *value >= least) return value;
+    position_ = before;
+    return std::nullopt;
 }
 
 std::string_view Scanner::word() const {
