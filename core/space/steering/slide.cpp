@@ -104,7 +104,7 @@ Steered SlideSteering::pull(std::span<const double> from, std::size_t asv,
 /// Gives up half-measures: a quarter of the margin, full steps again; false at a hair.
 bool SlideSteering::tighten(Pace& pace) const {
     if (pace.margin <= options_.hair) return false;
-    pace.margin = std::max(options_.hair, 0.2 * pace.margin);
+    pace.margin = std::max(options_.hair, 0.05 * pace.margin);
     pace.step = options_.step;
     return true;
 }
