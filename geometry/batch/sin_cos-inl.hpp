@@ -34,12 +34,13 @@ HWY_INLINE void sin_cos(D d, V angle, V& sin, V& cos) {
     // Bit 0 of k swaps the two, bit 1 of k turns the sine's sign and bit 1 of k + 1 the cosine's.
     const hn::RebindToUnsigned<D> du;
     const auto k = hn::BitCast(du, shifted);
-    const V swap = hn::BitCast(d, hn::ShiftLeft<63>(k));
+    // (Not IfNegativeThenElse, which in Highway 1.0.3 looks at more than the sign on SSSE3.)
+    const auto odd = hn::RebindMask(d, hn::TestBit(k, hn::Set(du, 1)));
     const auto sign = [d, du](auto bits) HWY_ATTR {
         return hn::And(hn::BitCast(d, hn::ShiftLeft<62>(bits)), hn::SignBit(d));
     };
-    sin = hn::Xor(hn::IfNegativeThenElse(swap, c, s), sign(k));
-    cos = hn::Xor(hn::IfNegativeThenElse(swap, s, c), sign(hn::Add(k, hn::Set(du, 1))));
+    sin = hn::Xor(hn::IfThenElse(odd, c, s), sign(k));
+    cos = hn::Xor(hn::IfThenElse(odd, s, c), sign(hn::Add(k, hn::Set(du, 1))));
 }
 
 }  // namespace asv::geometry::batch::HWY_NAMESPACE
