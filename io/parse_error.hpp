@@ -7,7 +7,8 @@
 namespace asv::io {
 
 /// What could not be understood, and where. what() reads
-/// "FILE:LINE:COLUMN: expected EXPECTED, found FOUND"; line and column count from 1.
+/// "FILE:LINE:COLUMN: expected EXPECTED, found FOUND"; line and column count from 1, columns in
+/// bytes.
 class ParseError : public std::runtime_error {
   public:
     ParseError(std::string file, std::size_t line, std::size_t column, std::string expected,
@@ -31,6 +32,18 @@ class ParseError : public std::runtime_error {
 class FileError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
+};
+
+/// An input that cannot be opened or read.
+class ReadError : public FileError {
+  public:
+    using FileError::FileError;
+};
+
+/// An output that cannot be created or written.
+class WriteError : public FileError {
+  public:
+    using FileError::FileError;
 };
 
 }  // namespace asv::io

@@ -1,0 +1,94 @@
+#include "asv/core/chain/chain.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "asv/core/chain/sine_cosine.hpp"
+
+namespace asv::core {
+
+using geometry::Point;
+
+Chain::Chain(std::size_t asv_count, double broom_length, Anchor anchor)
+    : asv_count_(asv_count), broom_length_(broom_length), anchor_(anchor) {
+    if (asv_count == 0) throw std::invalid_argument("Chain: asv_count must be at least 1");
+    if (!(broom_length > 0)) throw std::invalid_argument("Chain: broom_length must be positive");
+    anchor_lever_.assign(broom_count(), 0.0);
+    heading_share_.assign(turn_count(), 0.0);
+    if (anchor == Anchor::first_asv) return;
+    const auto n = static_cast<double>(asv_count);
+    for (std::size_t k = 0; k < broom_count(); ++k)
+        anchor_lever_[k] = -(n - 1 - static_cast<double>(k)) / n;
+    for (std::size_t i = 0; i < turn_count(); ++i)
+        heading_share_[i] = (n - 2 - static_cast<double>(i)) / (n - 1);
+}
+
+void Chain::configuration(std::span<const Point> positions, std::span<double> row) const {
+    row[0] = positions[0].x;
+    row[1] = positions[0].y;
+    if (anchor_ == Anchor::centroid) {
+        double sum_x = 0, sum_y = 0;
+        for (const Point& p : positions) {
+            sum_x += p.x;
+            sum_y += p.y;
+        }
+        row[0] = sum_x / static_cast<double>(asv_count_);
+        row[1] = sum_y / static_cast<double>(asv_count_);
+    }
+    if (asv_count_ < 2) return;
+    const auto heading = [&](std::size_t k) {
+        return std::atan2(positions[k + 1].y - positions[k].y, positions[k + 1].x - positions[k].x);
+    };
+    row[2] = heading(0);
+    for (std::size_t i = 0; i < turn_count(); ++i) {
+        double turn = heading(i + 1) - heading(i);
+        if (turn > std::numbers::pi) turn -= 2 * std::numbers::pi;
+        if (turn <= -std::numbers::pi) turn += 2 * std::numbers::pi;
+        row[3 + i] = turn;
+    }
+    for (std::size_t i = 0; i < turn_count(); ++i) row[2] += heading_share_[i] * row[3 + i];
+}
+
+Pose Chain::make_pose() const {
+    Pose pose;
+    for (auto* array : {&pose.heading, &pose.ux, &pose.uy}) array->resize(broom_count());
+    for (auto* array : {&pose.x, &pose.y}) array->resize(asv_count_);
+    return pose;
+}
+
+void Chain::forward(std::span<const double> row, Pose& pose) const {
+    pose.x[0] = row[0];
+    pose.y[0] = row[1];
+    if (asv_count_ < 2) return;
+    double heading = row[2];
+    for (std::size_t i = 0; i < turn_count(); ++i) heading -= heading_share_[i] * row[3 + i];
+    pose.heading[0] = heading;
+    for (std::size_t i = 0; i < turn_count(); ++i) pose.heading[i + 1] = heading += row[3 + i];
+    sine_cosine(pose.heading, pose.uy, pose.ux);
+    double x = row[0], y = row[1];
+    for (std::size_t k = 0; k < broom_count(); ++k) {
+        x += broom_length_ * anchor_lever_[k] * pose.ux[k];
+        y += broom_length_ * anchor_lever_[k] * pose.uy[k];
+    }
+    pose.x[0] = x;
+    pose.y[0] = y;
+    for (std::size_t k = 0; k < broom_count(); ++k) {
+        pose.x[k + 1] = x += broom_length_ * pose.ux[k];
+        pose.y[k + 1] = y += broom_length_ * pose.uy[k];
+    }
+}
+
+void Chain::heading_rates(std::span<const double> displacement, std::span<double> rates) const {
+    if (asv_count_ < 2) return;
+    double rate = displacement[2];
+    for (std::size_t i = 0; i < turn_count(); ++i) rate -= heading_share_[i] * displacement[3 + i];
+    rates[0] = rate;
+    for (std::size_t i = 0; i < turn_count(); ++i) rates[i + 1] = rate += displacement[3 + i];
+}
+
+void copy_positions(const Pose& pose, std::span<Point> points) {
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = {pose.x[i], pose.y[i]};
+}
+
+}  // namespace asv::core

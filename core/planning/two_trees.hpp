@@ -1,0 +1,93 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "asv/core/planning/configuration_space.hpp"
+#include "asv/core/planning/tree.hpp"
+
+namespace asv::core {
+
+/// The row turned by full turns of its angle until it is nearest to that of the other row.
+inline void unwrap(std::span<double> row, std::span<const double> other,
+                   std::optional<std::size_t> angle) {
+    constexpr double full = 2 * std::numbers::pi;
+    if (angle) row[*angle] -= full * std::round((row[*angle] - other[*angle]) / full);
+}
+
+/// The trees of a bidirectional search and the operations that all of them share.
+template <ConfigurationSpace Space>
+class TwoTrees {
+  public:
+    TwoTrees(Space& space, const Query& query)
+        : space_(space), trees_(2, Tree(space.make_index())), target_(space.dimension()) {
+        trees_[0].add(query.start, Tree::none);
+        trees_[1].add(query.goal, Tree::none);
+    }
+
+    const Tree& operator[](int side) const { return trees_[static_cast<std::size_t>(side)]; }
+    Progress progress(std::size_t iterations) const {
+        return {iterations, {trees_[0].size(), trees_[1].size()}};
+    }
+
+    struct Growth {
+        Steered outcome;
+        std::uint32_t last;  ///< the newest node, or where the growth was trapped
+    };
+
+    /// Extends the tree from its node nearest to the target as far toward it as steering comes.
+    Growth grow(int side, std::span<const double> target) {
+        const std::uint32_t nearest = (*this)[side].nearest(target);
+        const auto from = (*this)[side].row(nearest);
+        std::copy(target.begin(), target.end(), target_.begin());
+        unwrap(target_, from, space_.wrapping());
+        visited_.clear();
+        const Steered outcome = space_.steer(from, target_, visited_);
+        return {outcome, add(side, nearest, visited_)};
+    }
+
+    /// Adds rows one behind the other; returns the last node.
+    std::uint32_t add(int side, std::uint32_t parent, const Rows& rows) {
+        const std::size_t d = space_.dimension();
+        for (std::size_t i = 0; i < rows.size(); i += d)
+            parent = trees_[static_cast<std::size_t>(side)].add({rows.data() + i, d}, parent);
+        return parent;
+    }
+
+    /// The path from start to goal through two nodes, one of each tree, of one configuration.
+    Rows join(std::uint32_t in_start_tree, std::uint32_t in_goal_tree) const {
+        Rows path;
+        auto forward = trees_[0].to_root(in_start_tree);
+        std::reverse(forward.begin(), forward.end());
+        for (const auto node : forward) {
+            const auto row = trees_[0].row(node);
+            path.insert(path.end(), row.begin(), row.end());
+        }
+        const auto angle = space_.wrapping();
+        const auto meeting = trees_[1].row(in_goal_tree);
+        const double full_turns =
+            angle ? path[path.size() - space_.dimension() + *angle] - meeting[*angle] : 0;
+        for (auto node = trees_[1].parent(in_goal_tree); node != Tree::none;
+             node = trees_[1].parent(node)) {
+            const auto row = trees_[1].row(node);
+            path.insert(path.end(), row.begin(), row.end());
+            if (angle) path[path.size() - space_.dimension() + *angle] += full_turns;
+        }
+        return path;
+    }
+
+    std::vector<Tree> release() { return std::move(trees_); }
+
+  private:
+    Space& space_;
+    std::vector<Tree> trees_;
+    std::vector<double> target_;
+    Rows visited_;
+};
+
+}  // namespace asv::core

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "asv/core/chain/chain.hpp"
+#include "asv/core/problem.hpp"
+
+namespace asv::core {
+
+/// The requirements as the planner keeps them: a little stricter than the assignment (a margin), but
+/// never stricter than what the start and the goal themselves meet, so that both belong to the
+/// valid set and can be left. For counter-clockwise chains; clockwise problems are transposed first.
+struct ChainConstraints {
+    std::vector<Box> boxes;         ///< obstacles grown by their own margin
+    Box bounds;                     ///< where every ASV has to be
+    double minimum_area = 0;        ///< of the closed polygon
+    double minimum_last_turn = 0;   ///< of cross(broom n-1, closing side): sine times its length
+    double minimum_first_turn = 0;  ///< of cross(closing side, broom 1): sine times its length
+    double minimum_closing = 0;     ///< length of the closing side; its direction is singular at 0
+    std::vector<double> minimum_turn;  ///< of each intermediate turn; 0 but for rounding
+    double maximum_turn = 0;           ///< of an intermediate turn
+};
+
+/// How far the planner keeps from the limits where start and goal allow it.
+struct Margins {
+    double length = 1e-5;        ///< to obstacles and bounds: more than a step's chord cuts off
+    double relative_area = 1e-6; ///< of the minimum area
+    double closing = 0.004;      ///< least closing side; a shorter one made the only invalid paths
+    double slack = 1e-11;        ///< room that start and goal get: above rounding, below any tolerance
+};
+
+/// Precondition: start and goal of the problem are valid and counter-clockwise.
+ChainConstraints make_constraints(const Problem& problem, const Chain& chain,
+                                  const Margins& margins = {});
+
+/// The shoelace area of the closed polygon, positive when counter-clockwise.
+double area(const Pose& pose);
+/// |closing side| times the sine of the turn from broom n-1 into the closing side.
+double last_turn(const Pose& pose);
+/// |closing side| times the sine of the turn from the closing side into broom 1.
+double first_turn(const Pose& pose);
+/// Length of the side from ASV n to ASV 1.
+double closing_length(const Pose& pose);
+
+}  // namespace asv::core

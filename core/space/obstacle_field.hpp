@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "asv/geometry/box_index.hpp"
+#include "asv/geometry/primitives.hpp"
+
+namespace asv::core {
+
+/// The boxes near some region, as a structure of arrays.
+struct NearBoxes {
+    std::vector<double> low_x, low_y, high_x, high_y;
+
+    std::size_t size() const { return low_x.size(); }
+    void clear();
+    void push_back(const geometry::Box& box);
+    geometry::Box operator[](std::size_t i) const {
+        return {{low_x[i], low_y[i]}, {high_x[i], high_y[i]}};
+    }
+};
+
+/// The obstacles of a problem behind a broad phase. Immutable, shared by all threads.
+class ObstacleField {
+  public:
+    explicit ObstacleField(std::span<const geometry::Box> boxes);
+
+    /// So few boxes that looking at all of them is cheaper than finding the near ones.
+    bool few() const { return boxes_.size() <= 12; }
+    /// All boxes. Precondition: few().
+    const NearBoxes& all() const { return all_; }
+    /// Fills scratch with the boxes that meet the closed region, and returns it.
+    const NearBoxes& near(const geometry::Box& region, NearBoxes& scratch) const;
+
+    /// True when the closed segment meets a box; exact.
+    bool meets(const geometry::Segment& segment) const { return index_.meets(segment); }
+    /// True when the point lies in a closed box.
+    bool contains(const geometry::Point& point) const;
+
+    std::span<const geometry::Box> boxes() const { return boxes_; }
+
+  private:
+    std::vector<geometry::Box> boxes_;
+    geometry::BoxIndex index_;
+    NearBoxes all_;
+};
+
+}  // namespace asv::core

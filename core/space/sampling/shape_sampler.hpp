@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+
+#include "asv/core/planning/rng.hpp"
+#include "asv/core/space/motion.hpp"
+
+namespace asv::core {
+
+/// Draws valid configurations by drawing the shape alone first: the total turn, split over the
+/// joints by a Dirichlet draw (of several concentrations, from a few sharp bends to an even arc),
+/// accepted by its area and closing turns; then a place for it until it is free. For many ASVs
+/// thousands of times likelier to succeed than joint by joint.
+class ShapeSampler {
+  public:
+    explicit ShapeSampler(MotionChecker& checker);
+
+    /// Fills row with a valid configuration; false when none was found in some hundred tries.
+    bool sample(Rng& rng, std::span<double> row);
+    /// Fills the turns of row with those of a valid shape; false after some hundred tries.
+    bool sample_shape(Rng& rng, std::span<double> row);
+
+  private:
+    MotionChecker& checker_;
+    Pose pose_;
+};
+
+}  // namespace asv::core
