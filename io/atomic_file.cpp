@@ -161,4 +161,14 @@ void write_file(const fs::path& file, std::string_view content) {
     replace(file, *target, content, exists ? &status : nullptr);
 }
 
+void require_writable(const fs::path& file) {
+    std::error_code error;
+    const fs::path folder = file.parent_path().empty() ? fs::path(".") : file.parent_path();
+    if (fs::is_directory(file, error)) fail<WriteError>(file, EISDIR);
+    const bool exists = ::access(file.c_str(), F_OK) == 0;
+    const fs::path& needed = exists ? file : folder;
+    if (::access(needed.c_str(), W_OK) != 0) fail<WriteError>(file, errno);
+    if (!exists && !fs::is_directory(folder, error)) fail<WriteError>(file, ENOTDIR);
+}
+
 }  // namespace asv::io
