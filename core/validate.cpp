@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "asv/core/validation/collisions.hpp"
+#include "asv/core/validation/continuous.hpp"
 #include "asv/core/validation/path_checks.hpp"
 #include "asv/core/validation/state_checks.hpp"
 
@@ -13,28 +13,16 @@ namespace asv::core {
 namespace {
 
 using validation::Finding;
+using validation::Obstacles;
 using validation::State;
 using validation::Tally;
-
-/// The first ASV whose position is no number, as a violation of whatever is checked.
-std::optional<Finding> not_finite(State state) {
-    for (std::size_t i = 0; i < state.size(); ++i) {
-        if (std::isfinite(state[i].x) && std::isfinite(state[i].y)) continue;
-        Finding finding;
-        finding.ok = false;
-        finding.offender.asv = i;
-        finding.offender.room = -std::numeric_limits<double>::infinity();
-        return finding;
-    }
-    return std::nullopt;
-}
 
 /// Adds up the five checks that concern each state alone.
 class StateChecks {
   public:
-    StateChecks(const Problem& problem, const Requirements& requirements, bool list)
+    StateChecks(const Requirements& requirements, const Obstacles& obstacles, bool list)
         : requirements_(requirements),
-          obstacles_(problem.obstacles, requirements.tolerance),
+          obstacles_(obstacles),
           broom_lengths_(Check::broom_lengths, list),
           convexity_(Check::convexity, list),
           area_(Check::area, list),
@@ -42,7 +30,7 @@ class StateChecks {
           collisions_(Check::collisions, list) {}
 
     void add(State state, std::size_t index) {
-        const std::optional<Finding> bad = not_finite(state);
+        const std::optional<Finding> bad = validation::find_not_finite(state);
         const auto judged = [&](auto check) { return bad ? *bad : check(state, requirements_); };
         broom_lengths_.add(judged(validation::check_broom_lengths), index);
         convexity_.add(judged(validation::check_convexity), index);
@@ -61,7 +49,7 @@ class StateChecks {
 
   private:
     const Requirements& requirements_;
-    validation::Obstacles obstacles_;
+    const Obstacles& obstacles_;
     Tally broom_lengths_;
     Tally convexity_;
     Tally area_;
@@ -117,9 +105,14 @@ ValidationReport validate(const Problem& problem, const Solution& solution,
     ValidationReport report;
     report.cost =
         check_path(problem, solution, requirements, options.list_offenders, report.checks);
-    StateChecks states(problem, requirements, options.list_offenders);
+    const Obstacles obstacles(problem.obstacles, requirements.tolerance);
+    StateChecks states(requirements, obstacles, options.list_offenders);
     for (std::size_t i = 0; i < path.size(); ++i) states.add(path.state(i), i);
     std::move(states).finish(report.checks);
+    if (options.continuous) {
+        report.motion =
+            validation::certify_motion(path, requirements, obstacles, options.list_offenders);
+    }
     return report;
 }
 
@@ -128,7 +121,8 @@ ValidationReport validate_state(const Problem& problem, std::span<const geometry
     if (state.empty()) throw std::invalid_argument("validate_state: the state has no ASV");
     const Requirements requirements = with_tolerance(problem, options.tolerance);
     ValidationReport report;
-    StateChecks states(problem, requirements, options.list_offenders);
+    const Obstacles obstacles(problem.obstacles, requirements.tolerance);
+    StateChecks states(requirements, obstacles, options.list_offenders);
     states.add(state, 0);
     std::move(states).finish(report.checks);
     return report;

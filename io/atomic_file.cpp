@@ -129,7 +129,8 @@ std::string read_file(const fs::path& file) {
     if (!input.is_open() || ::fstat(input.number(), &status) != 0) fail<ReadError>(file, errno);
     if (S_ISDIR(status.st_mode)) fail<ReadError>(file, EISDIR);
     // One byte more than a regular file has, so that its end is seen without growing the buffer.
-    const std::size_t known = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
+    const std::size_t known =
+        S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
     std::string content(std::clamp(known + 1, block, largest_file + 1), '\0');
     std::size_t size = 0;
     while (true) {
@@ -158,6 +159,16 @@ void write_file(const fs::path& file, std::string_view content) {
     // A rename would replace even a file that its owner has protected.
     if (exists && ::access(target->c_str(), W_OK) != 0) fail<WriteError>(file, errno);
     replace(file, *target, content, exists ? &status : nullptr);
+}
+
+void require_writable(const fs::path& file) {
+    std::error_code error;
+    const fs::path folder = file.parent_path().empty() ? fs::path(".") : file.parent_path();
+    if (fs::is_directory(file, error)) fail<WriteError>(file, EISDIR);
+    const bool exists = ::access(file.c_str(), F_OK) == 0;
+    const fs::path& needed = exists ? file : folder;
+    if (::access(needed.c_str(), W_OK) != 0) fail<WriteError>(file, errno);
+    if (!exists && !fs::is_directory(folder, error)) fail<WriteError>(file, ENOTDIR);
 }
 
 }  // namespace asv::io

@@ -20,4 +20,8 @@ std::string read_file(const std::filesystem::path& file);
 /// writable, disk full) and leaves nothing behind.
 void write_file(const std::filesystem::path& file, std::string_view content);
 
+/// Throws the WriteError that write_file would meet before it writes: for finding out before an
+/// hour of work that its result has no place to go. Changes nothing.
+void require_writable(const std::filesystem::path& file);
+
 }  // namespace asv::io

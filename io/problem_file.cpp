@@ -22,12 +22,11 @@ class ProblemReader {
 
     ProblemFile read() {
         if (scanner_.had_byte_order_mark()) warn("byte order mark ignored");
-        const std::uint64_t asv_count = read_count("the number of ASVs (a whole number)", 1);
+        const std::uint64_t asv_count = read_count("the number of ASVs", 1);
         core::Problem& problem = result_.problem;
         problem.start = read_positions(asv_count, "the start");
         problem.goal = read_positions(asv_count, "the goal");
-        const std::uint64_t obstacle_count =
-            read_count("the number of obstacles (a whole number)", 0);
+        const std::uint64_t obstacle_count = read_count("the number of obstacles", 0);
         // Only what is there is stored: the count may promise more than any memory holds.
         for (std::uint64_t i = 0; i < obstacle_count; ++i) {
             problem.obstacles.push_back(read_obstacle(i, obstacle_count));
@@ -51,7 +50,9 @@ class ProblemReader {
 
     std::uint64_t read_count(const std::string& what, std::uint64_t least) {
         const std::optional<std::uint64_t> count = scanner_.count(least);
-        if (!count) throw scanner_.error(what + ", at least " + std::to_string(least));
+        if (!count)
+            throw scanner_.error(what + " (a whole number, at least " + std::to_string(least) +
+                                 ")");
         if (!scanner_.at_line_end()) throw scanner_.error("nothing more on this line");
         scanner_.next_line();
         return *count;

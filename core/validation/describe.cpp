@@ -20,6 +20,9 @@ std::string numbered(const char* what, const std::optional<std::size_t>& index) 
 std::string describe_turn(const Offender& offender, const std::string& by) {
     if (!offender.asv) return "the turns add up to more than 3 pi" + by + " rad";
     const std::string asv = "the turn at " + numbered("ASV", offender.asv);
+    if (offender.room >= 0 && offender.time) {
+        return "the side after " + numbered("ASV", offender.asv) + " shrinks to a point";
+    }
     if (offender.room >= 0) return asv + " is exactly pi";
     return asv + " is against the others" + by + " rad";
 }

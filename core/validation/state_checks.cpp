@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "asv/geometry/polygon.hpp"
@@ -42,6 +43,14 @@ double distance(const Point& a, const Point& b) {
     const double dx = b.x - a.x;
     const double dy = b.y - a.y;
     return std::sqrt(dx * dx + dy * dy);
+}
+
+std::optional<Finding> find_not_finite(State state) {
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        if (std::isfinite(state[i].x) && std::isfinite(state[i].y)) continue;
+        return at_asv(false, i, -std::numeric_limits<double>::infinity());
+    }
+    return std::nullopt;
 }
 
 Finding check_broom_lengths(State state, const Requirements& requirements) {

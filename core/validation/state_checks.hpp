@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "asv/core/requirements.hpp"
@@ -12,6 +13,9 @@
 namespace asv::core::validation {
 
 using State = std::span<const geometry::Point>;
+
+/// The first ASV whose position is not finite, as a violation of whatever is checked, if any.
+std::optional<Finding> find_not_finite(State state);
 
 /// The distance of neighbouring ASVs is within the tolerance of the broom length. Room: length.
 Finding check_broom_lengths(State state, const Requirements& requirements);

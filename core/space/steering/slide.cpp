@@ -37,6 +37,7 @@ Steered SlideSteering::slide(std::span<const double> from, std::span<const doubl
             const std::size_t before = visited.size();
             if (go_straight(target, distance, visited)) return Steered::reached;
             if (visited.size() > before) outcome = Steered::advanced;
+            if (!options_.slide) return outcome;
             distance = metric_.distance(row_, target);
         }
         const double length = std::min(pace.step, distance);
