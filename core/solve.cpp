@@ -29,10 +29,12 @@ Clock::time_point after(Clock::time_point begin, double seconds) {
     // Beyond what a clock can count, never.
     constexpr double longest = 1e9;
     if (!(seconds < longest)) return Clock::time_point::max();
-    return begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    return begin +
+           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-/// Microseconds of work for --optimize 0: shortcuts that take less time than writing what they save.
+/// Microseconds of work for --optimize 0: shortcuts that take less time than writing what they
+/// save.
 constexpr double cheap_work = 2000;
 
 /// Seconds of search after which a proof that there is no path is looked for.
@@ -41,7 +43,7 @@ constexpr double easy = 0.2;
 /// What one thread makes of the problem.
 struct Attempt {
     SearchResult search;
-    std::uint64_t state_checks = 0, edge_checks = 0;
+    std::uint64_t state_checks = 0, edge_checks = 0, constrained_steps = 0;
 };
 
 Attempt run(const AutoPlanner& planner, const BroomWorld& world, const Limits& limits, Rng& rng,
@@ -52,6 +54,7 @@ Attempt run(const AutoPlanner& planner, const BroomWorld& world, const Limits& l
         slide_pull(space, {world.start, world.goal}, planner.search, limits, rng, observer);
     attempt.state_checks = space.checker().state_checks();
     attempt.edge_checks = space.checker().motion_checks();
+    attempt.constrained_steps = space.constrained_steps();
     return attempt;
 }
 
@@ -88,8 +91,8 @@ class Solver {
             result_.status = SolveStatus::infeasible;
             result_.reason = *infeasible_;
         } else if (!winner_) {
-            result_.status = options_.stop.stop_requested() ? SolveStatus::interrupted
-                                                            : SolveStatus::timeout;
+            result_.status =
+                options_.stop.stop_requested() ? SolveStatus::interrupted : SolveStatus::timeout;
             result_.reason = "no path found: " + std::string(name(failure_));
         } else {
             improve_path();
@@ -133,9 +136,7 @@ class Solver {
         Rng rng(seed_of(thread));
         const Observer observer = thread == 0 ? make_observer() : Observer{};
         Attempt attempt = std::visit(
-            [&](const auto& planner) {
-                return core::run(planner, world_, limits, rng, observer);
-            },
+            [&](const auto& planner) { return core::run(planner, world_, limits, rng, observer); },
             options_.planner);
         const std::lock_guard lock(mutex_);
         SolveStatistics& statistics = result_.statistics;
@@ -160,8 +161,8 @@ class Solver {
         statistics.cost_history.emplace_back(statistics.time_to_first, statistics.cost_first);
     }
 
-    /// Reports progress and, once a search turns out not to be easy, looks for a proof that it is in
-    /// vain. The search itself never sees either.
+    /// Reports progress and, once a search turns out not to be easy, looks for a proof that it is
+    /// in vain. The search itself never sees either.
     Observer make_observer() {
         return [this, last = 0.0, checked = false](const Progress& progress) mutable {
             const double elapsed = seconds_since(options_.started);
@@ -189,14 +190,31 @@ class Solver {
                                planner ? planner->steering : SlideOptions{});
         Rng rng(~seed_of(*winner_));
         double last = 0;
-        rows_ = improve(std::move(rows_), checker, steering, cheap_work + 1e6 * options_.optimize,
-                        limits, rng, [&](double better) {
-                            const double elapsed = seconds_since(options_.started);
-                            result_.statistics.cost_history.emplace_back(elapsed, better);
-                            if (!options_.on_progress || elapsed - last < 0.1) return;
-                            last = elapsed;
-                            options_.on_progress({{}, better, elapsed});
-                        });
+        const auto on_better = [&](double better) {
+            const double elapsed = seconds_since(options_.started);
+            result_.statistics.cost_history.emplace_back(elapsed, better);
+            if (!options_.on_progress || elapsed - last < 0.1) return;
+            last = elapsed;
+            options_.on_progress({{}, better, elapsed});
+        };
+        // Searches that take much longer than the first one did are not worth their time.
+        Limits search_limits = limits;
+        search_limits.max_iterations = 3 * result_.statistics.iterations + 200;
+        const auto another = [&](Rng& draws) {
+            Attempt attempt = std::visit(
+                [&](const auto& chosen) {
+                    return core::run(chosen, world_, search_limits, draws, {});
+                },
+                options_.planner);
+            result_.statistics.state_checks += attempt.state_checks;
+            result_.statistics.edge_checks += attempt.edge_checks;
+            return AnotherPath{
+                std::move(attempt.search.path),
+                work_of(attempt.state_checks, attempt.constrained_steps, given_.asv_count())};
+        };
+        rows_ = improve(std::move(rows_), checker, world_.metric, steering,
+                        options_.optimize > 0 ? another : std::function<AnotherPath(Rng&)>{},
+                        cheap_work + 1e6 * options_.optimize, limits, rng, on_better);
         result_.statistics.state_checks += checker.state_checks();
         result_.statistics.edge_checks += checker.motion_checks();
     }
@@ -222,8 +240,7 @@ class Solver {
             for (const CheckResult& check : report.checks)
                 if (!check.ok())
                     throw std::logic_error("the path found fails the check of " +
-                                           std::string(name(check.check)) + ": " +
-                                           describe(check));
+                                           std::string(name(check.check)) + ": " + describe(check));
         }
         result_.statistics.cost = total;
         result_.solution = std::move(solution);
@@ -236,11 +253,12 @@ class Solver {
             TreePicture picture;
             for (std::uint32_t node = 0; node < tree.size(); ++node) {
                 world_.chain.forward(tree.row(node), pose);
-                const Point at = world_.transposed ? Point{pose.y[0], pose.x[0]}
-                                                   : Point{pose.x[0], pose.y[0]};
+                const Point at =
+                    world_.transposed ? Point{pose.y[0], pose.x[0]} : Point{pose.x[0], pose.y[0]};
                 picture.points.push_back(at);
-                picture.parents.push_back(
-                    tree.parent(node) == Tree::none ? -1 : static_cast<std::int64_t>(tree.parent(node)));
+                picture.parents.push_back(tree.parent(node) == Tree::none
+                                              ? -1
+                                              : static_cast<std::int64_t>(tree.parent(node)));
             }
             result_.trees.push_back(std::move(picture));
         }
@@ -266,10 +284,14 @@ class Solver {
 
 std::string_view name(SolveStatus status) {
     switch (status) {
-        case SolveStatus::solved: return "solved";
-        case SolveStatus::timeout: return "timeout";
-        case SolveStatus::infeasible: return "infeasible";
-        case SolveStatus::interrupted: return "interrupted";
+        case SolveStatus::solved:
+            return "solved";
+        case SolveStatus::timeout:
+            return "timeout";
+        case SolveStatus::infeasible:
+            return "infeasible";
+        case SolveStatus::interrupted:
+            return "interrupted";
     }
     return "unknown";
 }
