@@ -44,12 +44,11 @@ HWY_INLINE detail::LaneVerdict judge(const ChainLimits& limits, const BoxIndex& 
         verdict.valid |= valid << i;
     }
     LaneMask alive = verdict.valid;
-    search_links<Source::moving>(
-        scratch, boxes.tree(), alive,
-        [&](std::uint32_t box, LaneMask hit, std::size_t first, std::size_t count) HWY_ATTR {
-            verdict.certified &= ~hit;
-            alive &= ~meeting(scratch, boxes.boxes()[box], hit, first, count);
-        });
+    auto on_hit = [&](std::uint32_t box, LaneMask hit, std::size_t first, std::size_t count) {
+        verdict.certified &= ~hit;
+        alive &= ~meeting(scratch, boxes.boxes()[box], hit, first, count);
+    };
+    LinkSearch<Source::moving, decltype(on_hit)>(scratch, boxes.tree(), alive, on_hit).search();
     verdict.valid = alive;
     return verdict;
 }
