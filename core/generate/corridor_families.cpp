@@ -62,10 +62,12 @@ Problem corridor(const CorridorOptions& options, Rng& rng) {
     Problem problem;
     const double half_height =
         options.height.value(options.chain.asv_count, problem.requirements) / 2;
-    const double chain_length =
-        problem.requirements.broom_length * static_cast<double>(options.chain.asv_count - 1);
+    const std::size_t n = options.chain.asv_count;
+    const double chain_length = problem.requirements.broom_length * static_cast<double>(n - 1);
+    const double hooked =
+        std::clamp(1 - 2.15 * round_diameter(n, problem.requirements), 0.1, 1.0 / 3.0);
     const double length =
-        options.length.value_or(1.05 * chain_length <= 0.5 ? 1.05 * chain_length : 1.0 / 3.0);
+        options.length.value_or(1.05 * chain_length <= 0.5 ? 1.05 * chain_length : hooked);
     require_range("length", length, 0.01, 0.8);
     if (options.level) require_range("level", *options.level, 0.1, 0.9);
     const double level = options.level.value_or(rng.uniform(0.3, 0.7));

@@ -45,7 +45,6 @@ class SlideSteering {
     struct Pace {
         double step, margin;
     };
-    void take(std::span<const double> step);
     bool tighten(Pace& pace) const;
     bool go_straight(std::span<const double> target, double distance, Rows& visited);
     void keep(Rows& visited);
@@ -54,7 +53,7 @@ class SlideSteering {
     const Metric& metric_;
     SlideOptions options_;
     ConstrainedStep constrained_;
-    std::vector<double> row_, next_, wish_, step_;
+    std::vector<double> row_, next_, wish_;
     std::uint64_t steps_ = 0;
 };
 
