@@ -1,5 +1,6 @@
 #include "asv/geometry/free_space.hpp"
 
+#include <cstddef>
 #include <limits>
 
 #include "asv/geometry/free_space/cell_graph.hpp"
@@ -37,8 +38,12 @@ bool FreeSpace::connected(const Point& from, const Point& to) {
 }
 
 double FreeSpace::shortest_path(const Point& from, const Point& to) {
+    return shortest_path_at_least(from, to, std::numeric_limits<std::size_t>::max());
+}
+
+double FreeSpace::shortest_path_at_least(const Point& from, const Point& to, std::size_t effort) {
     if (!connected(from, to)) return std::numeric_limits<double>::infinity();
-    return detail::taut_length(implementation_->graph, from, to);
+    return detail::taut_length(implementation_->graph, from, to, effort);
 }
 
 }  // namespace asv::geometry

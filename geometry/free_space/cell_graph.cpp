@@ -58,9 +58,9 @@ std::span<const Portal> CellGraph::portals(CellTree::Id cell) {
     return std::span(portals_).subspan(range.first, range.count);
 }
 
-std::span<const CellGraph::CornerId> CellGraph::corners(CellTree::Id cell) {
+std::span<const Corner> CellGraph::corners(CellTree::Id cell) {
     const Range range = look_at(cell).corners;
-    return std::span(cell_corners_).subspan(range.first, range.count);
+    return std::span(corners_).subspan(range.first, range.count);
 }
 
 const CellGraph::Cell& CellGraph::look_at(CellTree::Id id) {
@@ -69,7 +69,7 @@ const CellGraph::Cell& CellGraph::look_at(CellTree::Id id) {
     Cell cell;
     cell.known = true;
     cell.portals.first = static_cast<std::uint32_t>(portals_.size());
-    cell.corners.first = static_cast<std::uint32_t>(cell_corners_.size());
+    cell.corners.first = static_cast<std::uint32_t>(corners_.size());
     for (const Side side : all_sides) {
         const std::size_t first = portals_.size();
         neighbours_.clear();
@@ -81,7 +81,7 @@ const CellGraph::Cell& CellGraph::look_at(CellTree::Id id) {
     }
     add_own_corners(id, std::span(portals_).subspan(cell.portals.first));
     cell.portals.count = static_cast<std::uint32_t>(portals_.size()) - cell.portals.first;
-    cell.corners.count = static_cast<std::uint32_t>(cell_corners_.size()) - cell.corners.first;
+    cell.corners.count = static_cast<std::uint32_t>(corners_.size()) - cell.corners.first;
     return cells_[id] = cell;
 }
 
@@ -126,10 +126,9 @@ void CellGraph::add_own_corners(CellTree::Id id, std::span<const Portal> portals
 }
 
 void CellGraph::add_corner(const Point& point, int obstacle_x, int obstacle_y) {
-    const auto id = static_cast<CornerId>(corners_.size());
-    const auto [entry, is_new] = corner_ids_.try_emplace(point, id);
-    if (is_new) corners_.push_back({point, obstacle_x, obstacle_y});
-    cell_corners_.push_back(entry->second);
+    const auto next = static_cast<std::uint32_t>(corner_ids_.size());
+    const std::uint32_t id = corner_ids_.try_emplace(point, next).first->second;
+    corners_.push_back({point, id, obstacle_x, obstacle_y});
 }
 
 }  // namespace asv::geometry::detail

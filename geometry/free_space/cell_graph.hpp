@@ -23,15 +23,14 @@ struct Portal {
 /// A point where a shortest path can bend: of its four quadrants exactly one is covered.
 struct Corner {
     Point point;
-    int obstacle_x = 0;  ///< +1 or -1: in which quadrant the obstacle is
+    std::uint32_t id = 0;  ///< one number for each point
+    int obstacle_x = 0;    ///< +1 or -1: in which quadrant the obstacle is
     int obstacle_y = 0;
 };
 
 /// The cells of a CellTree with their portals and corners, each worked out when first asked for.
 class CellGraph {
   public:
-    using CornerId = std::uint32_t;
-
     CellGraph(std::span<const Box> boxes, const Box& bounds) : tree_(boxes, bounds) {}
 
     const Box& box(CellTree::Id cell) const { return tree_.box(cell); }
@@ -46,12 +45,10 @@ class CellGraph {
     std::span<const Portal> portals(CellTree::Id cell);
 
     /// The corners on the border of the cell. Valid until the next call of portals or corners.
-    std::span<const CornerId> corners(CellTree::Id cell);
-
-    const Corner& corner(CornerId id) const { return corners_[id]; }
+    std::span<const Corner> corners(CellTree::Id cell);
 
     /// Every corner id is below this number; it grows as cells are looked at.
-    std::size_t corner_limit() const { return corners_.size(); }
+    std::size_t corner_limit() const { return corner_ids_.size(); }
 
   private:
     struct Range {
@@ -75,9 +72,9 @@ class CellGraph {
     CellTree tree_;
     std::vector<Cell> cells_;
     std::vector<Portal> portals_;
-    std::vector<CornerId> cell_corners_;
-    std::vector<Corner> corners_;
-    std::unordered_map<Point, CornerId, HashPoint> corner_ids_;
+    std::vector<Corner>
+        corners_;  ///< a copy for each cell, so that a look at a cell is at one place
+    std::unordered_map<Point, std::uint32_t, HashPoint> corner_ids_;
     std::vector<CellTree::Id> neighbours_;
 };
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <queue>
 #include <vector>
 
@@ -15,7 +14,9 @@ namespace asv::geometry::detail {
 namespace {
 
 double length(const Point& a, const Point& b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
+    const double x = a.x - b.x;
+    const double y = a.y - b.y;
+    return std::sqrt(x * x + y * y);
 }
 
 /// A ray that bounds what is seen: its line runs from a through b.
@@ -24,8 +25,43 @@ struct Ray {
     Point b;
 };
 
+/// As orientation, exact; quicker where points coincide or lie on an axis-parallel line, which they
+/// often do here and where the filter of orientation can decide nothing.
 int side_of(const Ray& ray, const Point& point) {
+    if (point == ray.b) return 0;
+    const auto sign = [](double a, double b) { return a < b ? 1 : (b < a ? -1 : 0); };
+    if (ray.a.x == ray.b.x) return sign(ray.a.y, ray.b.y) * sign(point.x, ray.a.x);
+    if (ray.a.y == ray.b.y) return sign(ray.a.x, ray.b.x) * sign(ray.a.y, point.y);
     return orientation(ray.a, ray.b, point);
+}
+
+/// Is the point strictly before the portal, seen in the direction that leads through it?
+bool is_before(const Point& point, const Portal& portal) {
+    switch (portal.side) {
+        case Side::east:
+            return point.x < portal.right.x;
+        case Side::north:
+            return point.y < portal.right.y;
+        case Side::west:
+            return point.x > portal.right.x;
+        default:
+            return point.y > portal.right.y;
+    }
+}
+
+/// Can a path that comes straight from the point bend around the corner's obstacle? Only when it
+/// comes along one of the two walls; straight down a wall, it bends at the wall's far end.
+bool can_bend(const Point& from, const Corner& corner) {
+    const double x = (from.x - corner.point.x) * corner.obstacle_x;
+    const double y = (from.y - corner.point.y) * corner.obstacle_y;
+    return (x > 0 && y <= 0) || (y > 0 && x <= 0);
+}
+
+/// Where the ray's line meets the line x = at (vertical) or y = at: the coordinate along it.
+double crossing(const Ray& ray, bool vertical, double at) {
+    const double dx = ray.b.x - ray.a.x;
+    const double dy = ray.b.y - ray.a.y;
+    return vertical ? ray.a.y + dy * ((at - ray.a.x) / dx) : ray.a.x + dx * ((at - ray.a.y) / dy);
 }
 
 /// A point from which the search looks around: the start or a corner that has been reached.
@@ -34,12 +70,22 @@ struct Viewpoint {
     double length = 0;  ///< of the way from the start
 };
 
-/// What a viewpoint sees through a portal that it has reached.
-struct Cone {
+/// What is seen from a viewpoint between two rays.
+struct View {
     std::uint32_t viewpoint = 0;
-    Portal portal;
+    bool all_around = false;  ///< the rays do not matter
     Ray right;
     Ray left;
+
+    bool holds(const Point& point) const {
+        return all_around || (side_of(right, point) >= 0 && side_of(left, point) <= 0);
+    }
+};
+
+/// A view through a portal, both of whose rays meet it, with an angle between them.
+struct Cone {
+    View view;
+    Portal portal;
 };
 
 /// What is left to do, by the least length of a path that it can lead to.
@@ -51,29 +97,26 @@ struct Task {
     friend bool operator<(const Task& a, const Task& b) { return a.least > b.least; }
 };
 
-/// Where the ray meets the portal's line: the coordinate along that line.
-double crossing(const Ray& ray, bool vertical, double at) {
-    const double dx = ray.b.x - ray.a.x;
-    const double dy = ray.b.y - ray.a.y;
-    return vertical ? ray.a.y + dy * ((at - ray.a.x) / dx) : ray.a.x + dx * ((at - ray.a.y) / dy);
-}
-
 class TautSearch {
   public:
     TautSearch(CellGraph& graph, const Point& start, const Point& goal)
-        : graph_(graph), start_(start), goal_(goal), goal_cells_(graph.cells_at(goal)) {}
+        : graph_(graph), goal_(goal), goal_cells_(graph.cells_at(goal)) {
+        viewpoints_.push_back({start, 0});
+    }
 
-    double run() {
-        views_.push_back({start_, 0});
-        look_around(0, nullptr, nullptr);
+    /// The length, or what it is at least when more than that many cells would have to be entered.
+    double run(std::size_t effort) {
+        View everything;
+        everything.all_around = true;
+        look(everything);
         while (!tasks_.empty()) {
             const Task task = tasks_.top();
+            if (task.kind == Task::Kind::goal || entered_ > effort) return task.least;
             tasks_.pop();
-            if (task.kind == Task::Kind::goal) return task.least;
-            if (task.kind == Task::Kind::cone) {
-                enter(take(task.index), task.least);
+            if (task.kind == Task::Kind::corner) {
+                expand(reached_[task.index].corner);
             } else {
-                expand(task.index);
+                enter(task.index, task.least);
             }
         }
         return std::numeric_limits<double>::infinity();
@@ -83,173 +126,148 @@ class TautSearch {
     struct Reached {
         double length = std::numeric_limits<double>::infinity();
         std::uint32_t from = 0;  ///< the viewpoint
-        bool closed = false;
+        Corner corner;
+        bool expanded = false;
     };
 
-    void expand(CellGraph::CornerId id);
-    void look_around(std::uint32_t view, const Ray* right, const Ray* left);
-    void enter(const Cone& first, double least);
-    void pass(const Cone& seen, double least);
-    void meet_corner(std::uint32_t view, CellGraph::CornerId id);
-    void meet_contents(std::uint32_t view, CellTree::Id cell, const Ray* right, const Ray* left);
+    void expand(Corner corner);
+    void look(const View& view);
+    void enter(std::uint32_t cone, double least);
+    void pass(const View& view, CellTree::Id cell, double least);
+    void meet_contents(const View& view, CellTree::Id cell);
+    void reach(const Corner& corner, std::uint32_t from);
     double least_through(const Cone& cone) const;
-    std::uint32_t keep(const Cone& cone);
-    Cone take(std::uint32_t index);
+    void keep(const Cone& cone, double least);
 
     CellGraph& graph_;
-    Point start_;
     Point goal_;
     std::vector<CellTree::Id> goal_cells_;
-    std::vector<Viewpoint> views_;
+    std::vector<Viewpoint> viewpoints_;
     std::vector<Reached> reached_;
     std::vector<Cone> cones_;
     std::vector<std::uint32_t> unused_cones_;
     std::vector<Cone> at_hand_;
     std::priority_queue<Task> tasks_;
+    std::size_t entered_ = 0;  ///< cells, as often as they were
 };
 
-std::uint32_t TautSearch::keep(const Cone& cone) {
-    if (unused_cones_.empty()) {
-        cones_.push_back(cone);
-        return static_cast<std::uint32_t>(cones_.size() - 1);
-    }
-    const std::uint32_t index = unused_cones_.back();
-    unused_cones_.pop_back();
-    cones_[index] = cone;
-    return index;
-}
-
-Cone TautSearch::take(std::uint32_t index) {
-    unused_cones_.push_back(index);
-    return cones_[index];
-}
-
-void TautSearch::expand(CellGraph::CornerId id) {
-    if (reached_[id].closed) return;
-    reached_[id].closed = true;
-    const Corner corner = graph_.corner(id);
-    const Point& at = corner.point;
-    const Point from = views_[reached_[id].from].point;
-    const auto view = static_cast<std::uint32_t>(views_.size());
-    views_.push_back({at, reached_[id].length});
-    // A taut path goes on between straight ahead and along the wall that it came to.
-    const bool from_x_side = (from.x - at.x) * corner.obstacle_x > 0;
-    const Point along_wall =
-        from_x_side ? Point{at.x, at.y + corner.obstacle_y} : Point{at.x + corner.obstacle_x, at.y};
+void TautSearch::expand(Corner corner) {
+    Reached& reached = reached_[corner.id];
+    if (reached.expanded) return;
+    reached.expanded = true;
+    const Point at = corner.point;
+    const Point from = viewpoints_[reached.from].point;
+    const auto viewpoint = static_cast<std::uint32_t>(viewpoints_.size());
+    viewpoints_.push_back({at, reached.length});
+    // A taut path goes on between straight ahead and along the wall that it has not come along.
+    const bool came_along_x = (from.x - at.x) * corner.obstacle_x > 0;
     const Ray ahead{from, at};
-    const Ray wall{at, along_wall};
-    if (side_of(ahead, along_wall) > 0) {
-        look_around(view, &ahead, &wall);
-    } else {
-        look_around(view, &wall, &ahead);
+    const Ray wall{at, came_along_x ? Point{at.x, at.y + corner.obstacle_y}
+                                    : Point{at.x + corner.obstacle_x, at.y}};
+    const bool bends_left = side_of(ahead, wall.b) > 0;
+    look({viewpoint, false, bends_left ? ahead : wall, bends_left ? wall : ahead});
+}
+
+void TautSearch::look(const View& view) {
+    for (const CellTree::Id cell : graph_.cells_at(viewpoints_[view.viewpoint].point)) {
+        meet_contents(view, cell);
+        pass(view, cell, 0);
     }
 }
 
-void TautSearch::look_around(std::uint32_t view, const Ray* right, const Ray* left) {
-    const Point at = views_[view].point;
-    for (const CellTree::Id cell : graph_.cells_at(at)) {
-        meet_contents(view, cell, right, left);
-        for (const Portal& portal : graph_.portals(cell)) {
-            if (orientation(at, portal.right, portal.left) <= 0) continue;
-            Cone cone{view, portal, {at, portal.right}, {at, portal.left}};
-            if (right != nullptr && side_of(*right, portal.right) < 0) cone.right = *right;
-            if (left != nullptr && side_of(*left, portal.left) > 0) cone.left = *left;
-            if (right != nullptr && side_of(*right, portal.left) <= 0) continue;
-            if (left != nullptr && side_of(*left, portal.right) >= 0) continue;
-            tasks_.push({least_through(cone), Task::Kind::cone, keep(cone)});
-        }
-    }
-}
-
-void TautSearch::meet_contents(std::uint32_t view, CellTree::Id cell, const Ray* right,
-                               const Ray* left) {
-    const auto in_sight = [&](const Point& point) {
-        return (right == nullptr || side_of(*right, point) >= 0) &&
-               (left == nullptr || side_of(*left, point) <= 0);
-    };
-    for (const CellGraph::CornerId id : graph_.corners(cell)) {
-        if (in_sight(graph_.corner(id).point)) meet_corner(view, id);
-    }
-    if (std::find(goal_cells_.begin(), goal_cells_.end(), cell) != goal_cells_.end() &&
-        in_sight(goal_)) {
-        const double total = views_[view].length + length(views_[view].point, goal_);
-        tasks_.push({total, Task::Kind::goal, 0});
-    }
-}
-
-void TautSearch::meet_corner(std::uint32_t view, CellGraph::CornerId id) {
-    if (id >= reached_.size())
-        reached_.resize(std::max<std::size_t>(graph_.corner_limit(), id + 1));
-    if (reached_[id].closed) return;
-    const Corner& corner = graph_.corner(id);
-    const Point& from = views_[view].point;
-    // Only who comes along one wall of the corner's obstacle can bend around it; who comes straight
-    // down the second wall bends at its far end.
-    const double x = (from.x - corner.point.x) * corner.obstacle_x;
-    const double y = (from.y - corner.point.y) * corner.obstacle_y;
-    if (!((x > 0 && y <= 0) || (y > 0 && x <= 0))) return;
-    const double total = views_[view].length + length(from, corner.point);
-    if (total >= reached_[id].length) return;
-    reached_[id].length = total;
-    reached_[id].from = view;
-    tasks_.push({total + length(corner.point, goal_), Task::Kind::corner, id});
-}
-
-void TautSearch::enter(const Cone& first, double least) {
-    // What costs no more than the task at hand would be next anyway: it need not be queued.
-    at_hand_.push_back(first);
+void TautSearch::enter(std::uint32_t cone, double least) {
+    unused_cones_.push_back(cone);
+    at_hand_.push_back(cones_[cone]);
     while (!at_hand_.empty()) {
-        const Cone cone = at_hand_.back();
+        const Cone next = at_hand_.back();
         at_hand_.pop_back();
-        meet_contents(cone.viewpoint, cone.portal.cell, &cone.right, &cone.left);
-        pass(cone, least);
+        ++entered_;
+        meet_contents(next.view, next.portal.cell);
+        pass(next.view, next.portal.cell, least);
     }
 }
 
-void TautSearch::pass(const Cone& seen, double least) {
-    const Point at = views_[seen.viewpoint].point;
-    const auto entered_from = static_cast<Side>((static_cast<int>(seen.portal.side) + 2) % 4);
-    for (const Portal& portal : graph_.portals(seen.portal.cell)) {
-        if (portal.side == entered_from) continue;
-        if (side_of(seen.right, portal.left) <= 0 || side_of(seen.left, portal.right) >= 0)
-            continue;
-        if (orientation(at, portal.right, portal.left) <= 0) continue;
-        Cone cone{seen.viewpoint, portal, seen.right, seen.left};
-        if (side_of(seen.right, portal.right) >= 0) cone.right = {at, portal.right};
-        if (side_of(seen.left, portal.left) <= 0) cone.left = {at, portal.left};
+void TautSearch::pass(const View& view, CellTree::Id cell, double least) {
+    const Point at = viewpoints_[view.viewpoint].point;
+    for (const Portal& portal : graph_.portals(cell)) {
+        if (!is_before(at, portal)) continue;
+        Cone cone{{view.viewpoint, false, {at, portal.right}, {at, portal.left}}, portal};
+        if (!view.all_around) {
+            if (side_of(view.right, portal.left) <= 0 || side_of(view.left, portal.right) >= 0) {
+                continue;
+            }
+            if (side_of(view.right, portal.right) < 0) cone.view.right = view.right;
+            if (side_of(view.left, portal.left) > 0) cone.view.left = view.left;
+        }
+        // What costs no more than the task at hand would be next anyway: it need not be queued.
         const double through = least_through(cone);
         if (through <= least) {
             at_hand_.push_back(cone);
         } else {
-            tasks_.push({through, Task::Kind::cone, keep(cone)});
+            keep(cone, through);
         }
     }
 }
 
+void TautSearch::keep(const Cone& cone, double least) {
+    auto index = static_cast<std::uint32_t>(cones_.size());
+    if (unused_cones_.empty()) {
+        cones_.push_back(cone);
+    } else {
+        index = unused_cones_.back();
+        unused_cones_.pop_back();
+        cones_[index] = cone;
+    }
+    tasks_.push({least, Task::Kind::cone, index});
+}
+
+void TautSearch::meet_contents(const View& view, CellTree::Id cell) {
+    const Viewpoint& from = viewpoints_[view.viewpoint];
+    for (const Corner& corner : graph_.corners(cell)) {
+        if (can_bend(from.point, corner) && view.holds(corner.point)) reach(corner, view.viewpoint);
+    }
+    if (std::find(goal_cells_.begin(), goal_cells_.end(), cell) != goal_cells_.end() &&
+        view.holds(goal_)) {
+        tasks_.push({from.length + length(from.point, goal_), Task::Kind::goal, 0});
+    }
+}
+
+void TautSearch::reach(const Corner& corner, std::uint32_t from) {
+    if (corner.id >= reached_.size()) reached_.resize(graph_.corner_limit());
+    Reached& reached = reached_[corner.id];
+    const Viewpoint& viewpoint = viewpoints_[from];
+    const double total = viewpoint.length + length(viewpoint.point, corner.point);
+    if (reached.expanded || total >= reached.length) return;
+    reached = {total, from, corner, false};
+    tasks_.push({total + length(corner.point, goal_), Task::Kind::corner, corner.id});
+}
+
 double TautSearch::least_through(const Cone& cone) const {
-    const Viewpoint& view = views_[cone.viewpoint];
-    const bool vertical = cone.portal.side == Side::east || cone.portal.side == Side::west;
-    const double line = vertical ? cone.portal.right.x : cone.portal.right.y;
+    const Viewpoint& from = viewpoints_[cone.view.viewpoint];
     const Portal& portal = cone.portal;
-    const auto [low, high] = std::minmax(vertical ? portal.right.y : portal.right.x,
-                                         vertical ? portal.left.y : portal.left.x);
-    const double right = std::clamp(crossing(cone.right, vertical, line), low, high);
-    const double left = std::clamp(crossing(cone.left, vertical, line), low, high);
+    const bool vertical = portal.side == Side::east || portal.side == Side::west;
+    const double line = vertical ? portal.right.x : portal.right.y;
+    const double end = vertical ? portal.right.y : portal.right.x;
+    const double other_end = vertical ? portal.left.y : portal.left.x;
+    const double low = std::min(end, other_end);
+    const double high = std::max(end, other_end);
+    const double right = std::clamp(crossing(cone.view.right, vertical, line), low, high);
+    const double left = std::clamp(crossing(cone.view.left, vertical, line), low, high);
     // A goal on the near side of the portal's line is as far away as its mirror image.
     Point goal = goal_;
     double& goal_across = vertical ? goal.x : goal.y;
-    const double from_across = vertical ? view.point.x : view.point.y;
+    const double from_across = vertical ? from.point.x : from.point.y;
     if ((goal_across - line) * (from_across - line) > 0) goal_across = 2 * line - goal_across;
-    const double straight = crossing({view.point, goal}, vertical, line);
+    const double straight = crossing({from.point, goal}, vertical, line);
     const double via = std::clamp(straight, std::min(left, right), std::max(left, right));
     const Point point = vertical ? Point{line, via} : Point{via, line};
-    return view.length + length(view.point, point) + length(point, goal);
+    return from.length + length(from.point, point) + length(point, goal);
 }
 
 }  // namespace
 
-double taut_length(CellGraph& graph, const Point& start, const Point& goal) {
-    return TautSearch(graph, start, goal).run();
+double taut_length(CellGraph& graph, const Point& start, const Point& goal, std::size_t effort) {
+    return TautSearch(graph, start, goal).run(effort);
 }
 
 }  // namespace asv::geometry::detail

@@ -1,3 +1,5 @@
+#include "asv/core/generate/families.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -9,7 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include "asv/core/generate/families.hpp"
 #include "asv/core/generate/flat_chain.hpp"
 #include "asv/core/validate.hpp"
 #include "asv/geometry/distance.hpp"
