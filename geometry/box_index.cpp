@@ -9,65 +9,25 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "asv/geometry/box_query-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace asv::geometry::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
+namespace inl = detail::HWY_NAMESPACE;
 using detail::BoxQuery;
 using detail::BoxSearch;
 using detail::BoxTree;
 using detail::NodeId;
 using detail::WideNode;
 
-const hn::CappedTag<float, WideNode::width> d;
-using Floats = hn::Vec<decltype(d)>;
-
-/// The ends of the boxes' shadows on the query's normal: far >= near.
-struct Shadow {
-    Floats near, far;
-};
-
-HWY_INLINE Shadow shadow(const WideNode& node, std::size_t i, const BoxQuery& query) {
-    const bool right = query.normal_x >= 0;
-    const bool up = query.normal_y >= 0;
-    const auto x = hn::Set(d, query.normal_x);
-    const auto y = hn::Set(d, query.normal_y);
-    const auto far_x = hn::Load(d, (right ? node.high_x : node.low_x).data() + i);
-    const auto far_y = hn::Load(d, (up ? node.high_y : node.low_y).data() + i);
-    const auto near_x = hn::Load(d, (right ? node.low_x : node.high_x).data() + i);
-    const auto near_y = hn::Load(d, (up ? node.low_y : node.high_y).data() + i);
-    return {hn::MulAdd(x, near_x, hn::Mul(y, near_y)), hn::MulAdd(x, far_x, hn::Mul(y, far_y))};
-}
-
-/// Bit l: the box in lane l may have what the query asks for.
-HWY_INLINE std::uint32_t candidates(const WideNode& node, const BoxQuery& query) {
-    std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < WideNode::width; i += hn::Lanes(d)) {
-        const auto low_x = hn::Load(d, node.low_x.data() + i);
-        const auto low_y = hn::Load(d, node.low_y.data() + i);
-        const auto high_x = hn::Load(d, node.high_x.data() + i);
-        const auto high_y = hn::Load(d, node.high_y.data() + i);
-        const auto in_x = hn::And(hn::Le(low_x, hn::Set(d, query.high_x)),
-                                  hn::Ge(high_x, hn::Set(d, query.low_x)));
-        const auto in_y = hn::And(hn::Le(low_y, hn::Set(d, query.high_y)),
-                                  hn::Ge(high_y, hn::Set(d, query.low_y)));
-        const auto [near, far] = shadow(node, i, query);
-        // Overflow leaves NaN, which must not count as apart.
-        const auto apart = hn::Or(hn::Gt(near, hn::Set(d, query.normal_high)),
-                                  hn::Lt(far, hn::Set(d, query.normal_low)));
-        std::uint8_t lanes[8] = {};
-        hn::StoreMaskBits(d, hn::AndNot(apart, hn::And(in_x, in_y)), lanes);
-        bits |= static_cast<std::uint32_t>(lanes[0]) << i;
-    }
-    return bits;
-}
-
 std::uint32_t Advance(const BoxTree& tree, BoxSearch& search) {
     const BoxQuery query = search.query;
     while (search.open_count > 0) {
         const NodeId id = search.open[--search.open_count];
-        std::uint32_t bits = candidates(tree.node(id), query);
+        std::uint32_t bits = inl::candidates(tree.node(id), query);
         std::uint32_t count = 0;
         for (; bits != 0; bits &= bits - 1) {
             const std::uint32_t lane =
@@ -85,6 +45,7 @@ std::uint32_t Advance(const BoxTree& tree, BoxSearch& search) {
 
 /// Below the distance of the query's segment to each box, infinity in lanes without a box.
 HWY_INLINE void lower_bounds(const WideNode& node, const BoxQuery& query, float* bounds) {
+    const inl::Float8 d;
     const auto zero = hn::Zero(d);
     const auto most = hn::Set(d, std::numeric_limits<float>::max());
     for (std::size_t i = 0; i < WideNode::width; i += hn::Lanes(d)) {
@@ -99,7 +60,7 @@ HWY_INLINE void lower_bounds(const WideNode& node, const BoxQuery& query, float*
         // sqrt(x^2 + y^2) >= (x + y) / sqrt(2) cannot overflow on the way as the squares could.
         const auto diagonal = hn::Mul(hn::Set(d, 0.7071067F), hn::Add(hn::Min(x, most), y));
         auto bound = hn::Max(hn::Max(x, y), diagonal);
-        const auto [near, far] = shadow(node, i, query);
+        const auto [near, far] = inl::shadow(node, i, query);
         const auto normal = hn::Max(hn::Sub(near, hn::Set(d, query.normal_high)),
                                     hn::Sub(hn::Set(d, query.normal_low), far));
         bound = hn::IfThenElse(hn::Gt(normal, bound), normal, bound);
@@ -108,6 +69,7 @@ HWY_INLINE void lower_bounds(const WideNode& node, const BoxQuery& query, float*
         hn::StoreU(hn::IfThenElse(hn::Le(low_x, high_x), bound, infinity), d, bounds + i);
     }
 }
+
 /// A node or a box and how near it can be; the nearest first.
 struct Near {
     float bound;
@@ -166,10 +128,9 @@ constexpr double max_float = std::numeric_limits<float>::max();
 detail::BoxSearch from_roots(const detail::BoxTree& tree, const detail::BoxQuery& query) {
     detail::BoxSearch search;
     search.query = query;
-    std::uint32_t top = tree.levels() - 1;
-    if (top > 0 && tree.node_count(top - 1) <= detail::BoxTree::most_roots) --top;
-    for (std::uint32_t i = tree.node_count(top); i-- > 0;) {
-        search.open[search.open_count++] = {top, i};
+    const std::uint32_t level = tree.search_level();
+    for (std::uint32_t i = tree.node_count(level); i-- > 0;) {
+        search.open[search.open_count++] = {level, i};
     }
     return search;
 }

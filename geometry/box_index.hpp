@@ -62,6 +62,9 @@ class BoxIndex {
     /// The smaller the cut-off, the faster. Precondition: cutoff >= 0, infinity allowed.
     double distance(const Segment& segment, double cutoff) const;
 
+    /// For kernels that search many queries at once.
+    const detail::BoxTree& tree() const { return tree_; }
+
   private:
     detail::BoxSearch begin(const Box& query) const;
     detail::BoxSearch begin(const Segment& query, double radius) const;

@@ -29,7 +29,6 @@ struct NodeId {
 /// A flat hierarchy without pointers: the child in lane l of node i is node 8 i + l one level
 /// below; on level 0 it is the box order[8 i + l]. The topmost level has one node, or none at all.
 struct BoxTree {
-    /// A search for all boxes does not open the topmost node where it has no more children.
     static constexpr std::uint32_t most_roots = 4;
     static constexpr std::uint32_t most_levels = 11;  ///< 8^11 > 2^32
     /// A depth-first search leaves at most seven siblings open on every level.
@@ -43,6 +42,11 @@ struct BoxTree {
     std::uint32_t levels() const { return static_cast<std::uint32_t>(level_begin.size()) - 1; }
     std::uint32_t node_count(std::uint32_t level) const {
         return level_begin[level + 1] - level_begin[level];
+    }
+    /// Where a search for all boxes begins: it skips a topmost node with few children.
+    std::uint32_t search_level() const {
+        const std::uint32_t top = levels() - 1;
+        return top > 0 && node_count(top - 1) <= most_roots ? top - 1 : top;
     }
     const WideNode& node(NodeId id) const { return nodes[level_begin[id.level] + id.index]; }
 };

@@ -1,13 +1,10 @@
 #include "asv/geometry/orientation.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "asv/geometry/exact.hpp"
 
 namespace asv::geometry {
-
-namespace {
 
 // With u = 2^-53 and finite intermediate values, each of the four differences carries one rounding
 // (they cannot underflow), each product one more, or an absolute error of at most 2^-1075 where it
@@ -19,17 +16,12 @@ namespace {
 // The right-hand side is evaluated with three more roundings; (3 + 16u) u and the smallest normal
 // number swallow those and the factor 1 - u. Where a product overflows, the bound does too or is
 // NaN, and the comparison is false.
-constexpr double u = std::numeric_limits<double>::epsilon() / 2;
-constexpr double relative_error = (3 + 16 * u) * u;
-constexpr double absolute_error = std::numeric_limits<double>::min();
-
-}  // namespace
-
 int orientation(const Point& a, const Point& b, const Point& c) noexcept {
     const double left = (a.x - c.x) * (b.y - c.y);
     const double right = (a.y - c.y) * (b.x - c.x);
     const double determinant = left - right;
-    const double error = relative_error * (std::fabs(left) + std::fabs(right)) + absolute_error;
+    const double error = orientation_filter.relative * (std::fabs(left) + std::fabs(right)) +
+                         orientation_filter.absolute;
     if (determinant > error) return 1;
     if (-determinant > error) return -1;
     return exact::orientation(a, b, c);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -46,7 +45,9 @@ SearchResult rrt_connect(Space& space, const Query& query, const RrtConnectOptio
         return true;
     };
 
-    bool met = meet(1, query.goal, true);
+    const auto direct = trees.grow(0, query.goal);
+    bool met = direct.outcome == Steered::reached;
+    if (met) result.path = trees.join(direct.last, 0);
     while (!met) {
         const Progress progress = trees.progress(result.iterations);
         if (observer) observer(progress);

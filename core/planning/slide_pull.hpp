@@ -1,35 +1,105 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "asv/core/planning/configuration_space.hpp"
 #include "asv/core/planning/limits.hpp"
-#include "asv/core/planning/rng.hpp"
-#include "asv/core/planning/tree.hpp"
-#include "asv/core/space/motion.hpp"
-#include "asv/core/space/steering/slide.hpp"
+#include "asv/core/planning/two_trees.hpp"
+#include "asv/geometry/primitives.hpp"
 
 namespace asv::core {
 
-/// Settings of the search over slides and pulls.
+/// Settings of the search by slides and pulls.
 struct SlidePullOptions {
-    SlideOptions steering;
-    bool slide = true;
-    bool pull = true;
-    double pull_share = 0.5;
-    double passage_share = 0.5;
-    std::size_t pull_candidates = 24;
+    double pull_share = 0.5;          ///< of the iterations that pull instead of sampling
+    double passage_share = 0.5;       ///< of the pulls whose target lies in a passage
+    std::size_t pull_candidates = 24; ///< nodes of which the most promising one is pulled
 };
 
-struct SlidePullResult {
-    bool solved = false;
-    Rows path;  ///< rows from start to goal, joined by certified straight motions
-    std::size_t nodes[2] = {0, 0};
-    std::size_t iterations = 0;
-};
+/// A space whose body can be dragged by one of its points.
+template <class Space>
+concept PullableSpace =
+    ConfigurationSpace<Space> &&
+    requires(Space& space, Rng& rng, std::span<const double> row, std::size_t asv,
+             const geometry::Point& point, Rows& visited) {
+        { space.asv_count() } -> std::convertible_to<std::size_t>;
+        { space.pull_target(rng, 0.5) } -> std::same_as<std::optional<geometry::Point>>;
+        { space.position(row, asv) } -> std::same_as<geometry::Point>;
+        { space.pull(row, asv, point, visited) } -> std::same_as<Steered>;
+    };
 
-SlidePullResult slide_pull(MotionChecker& checker, const Metric& metric,
-                           std::span<const double> start, std::span<const double> goal,
-                           const SlidePullOptions& options, const Limits& limits, Rng& rng);
+/// The planner that is on by default: two trees, the smaller one grows, half of the time by steering
+/// toward a sample (RRT-Connect with sliding), half of the time by dragging one end of the chain to
+/// a point of the plane, which is what gets the head of a long chain into the mouth of a corridor;
+/// the other tree then tries to connect to where that came.
+template <PullableSpace Space>
+SearchResult slide_pull(Space& space, const Query& query, const SlidePullOptions& options,
+                        const Limits& limits, Rng& rng, const Observer& observer = {}) {
+    TwoTrees<Space> trees(space, query);
+    SearchResult result;
+    std::vector<double> target(query.goal.begin(), query.goal.end());
+    Rows visited;
+
+    /// Drags an end of a node that is near the point there; the new node, if it moved at all.
+    const auto pull = [&](int side) -> std::optional<std::uint32_t> {
+        const auto point = space.pull_target(rng, options.passage_share);
+        if (!point) return std::nullopt;
+        const std::size_t end = rng.chance(0.5) ? 0 : space.asv_count() - 1;
+        const Tree& tree = trees[side];
+        std::uint32_t best = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < options.pull_candidates; ++i) {
+            const auto node = static_cast<std::uint32_t>(rng.below(tree.size()));
+            const geometry::Point at = space.position(tree.row(node), end);
+            const double distance = std::hypot(at.x - point->x, at.y - point->y);
+            if (distance < least) {
+                least = distance;
+                best = node;
+            }
+        }
+        visited.clear();
+        if (space.pull(tree.row(best), end, *point, visited) == Steered::trapped)
+            return std::nullopt;
+        return trees.add(side, best, visited);
+    };
+    const auto extend = [&](int side) -> std::optional<std::uint32_t> {
+        if (!space.sample(rng, target)) return std::nullopt;
+        const auto grown = trees.grow(side, target);
+        if (grown.outcome == Steered::trapped) return std::nullopt;
+        return grown.last;
+    };
+    /// Lets the other tree reach for the node.
+    const auto connect = [&](int side, std::uint32_t node) {
+        const auto row = trees[side].row(node);
+        target.assign(row.begin(), row.end());
+        const auto grown = trees.grow(1 - side, target);
+        if (grown.outcome != Steered::reached) return false;
+        result.path = side == 0 ? trees.join(node, grown.last) : trees.join(grown.last, node);
+        return true;
+    };
+
+    bool met = connect(1, 0);
+    while (!met) {
+        const Progress progress = trees.progress(result.iterations);
+        if (observer) observer(progress);
+        if (const auto reason = limits.reached(progress)) {
+            result.outcome = *reason;
+            break;
+        }
+        ++result.iterations;
+        const int side = trees[0].size() <= trees[1].size() ? 0 : 1;
+        const auto node = rng.chance(options.pull_share) ? pull(side) : extend(side);
+        met = node && connect(side, *node);
+    }
+    if (met) result.outcome = Outcome::solved;
+    result.trees = trees.release();
+    return result;
+}
 
 }  // namespace asv::core

@@ -31,8 +31,8 @@ const NearBoxes& ObstacleField::near(const Box& region, NearBoxes& scratch) cons
     return scratch;
 }
 
-bool ObstacleField::meets(const Box& region) const {
-    return index_.visit(region, [](std::size_t) { return true; });
+bool ObstacleField::contains(const geometry::Point& point) const {
+    return index_.visit(Box{point, point}, [](std::size_t) { return true; });
 }
 
 }  // namespace asv::core

@@ -33,10 +33,10 @@ class ObstacleField {
     /// Fills scratch with the boxes that meet the closed region, and returns it.
     const NearBoxes& near(const geometry::Box& region, NearBoxes& scratch) const;
 
-    /// True when the closed region meets a box.
-    bool meets(const geometry::Box& region) const;
-    /// True when the point lies in a box.
-    bool contains(const geometry::Point& point) const { return meets({point, point}); }
+    /// True when the closed segment meets a box; exact.
+    bool meets(const geometry::Segment& segment) const { return index_.meets(segment); }
+    /// True when the point lies in a closed box.
+    bool contains(const geometry::Point& point) const;
 
     std::span<const geometry::Box> boxes() const { return boxes_; }
 

@@ -35,13 +35,15 @@ class Adversary {
     /// Uniform among 0 .. count - 1.
     int pick(int count);
 
+    /// The point, each coordinate as it is or one ulp off.
+    Point nudged(const Point& point);
+
   private:
     Pair plain_pair();
     Pair lattice_pair();
     Pair corner_pair();
     Pair side_pair();
     double nudged(double value);
-    Point nudged(const Point& point);
     double scale();
 
     std::mt19937_64 engine_;

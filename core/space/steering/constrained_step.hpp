@@ -12,12 +12,14 @@
 
 namespace asv::core {
 
-/// The step nearest to a wished one among those that keep all near requirements, to first order:
+/// The step nearest to a wished one among those that keep all near requirements:
 ///
 ///     minimise |y - wish|^2  subject to  G y >= b
 ///
 /// in the metric's scaled coordinates. The rows of G are the gradients of the near constraints
-/// (broom against box, ASV against bounds, turns, closing turns, closing length, area).
+/// (broom against box, ASV against bounds, turns, closing turns, closing length, area). What the
+/// constraints bend over the step is measured at its end and put into b, then the step is solved for
+/// once more (the second-order correction of sequential quadratic programming).
 class ConstrainedStep {
   public:
     ConstrainedStep(const Chain& chain, const ChainConstraints& constraints,
@@ -29,37 +31,53 @@ class ConstrainedStep {
     void linearise(std::span<const double> row, double step_length, double margin,
                    double strictness);
 
-    /// Asks, as a stiff spring, that an ASV moves by (dx, dy). Call after linearise().
+    /// Asks, as a spring, that an ASV moves by (dx, dy). Call after linearise().
     void pull(std::size_t asv, double dx, double dy, double stiffness);
 
-    /// The step for a wish, both in scaled coordinates; valid until the next call.
-    std::span<const double> solve(std::span<const double> wish) { return program_.solve(wish); }
+    /// The configuration that the step nearest to the wish leads to; the wish in scaled coordinates.
+    /// Valid until the next call.
+    std::span<const double> solve(std::span<const double> wish);
 
     /// Did a constraint push back in the last solve()?
     bool pushed() const { return program_.pushed(); }
-    /// The pose at the row of the last linearise().
-    const Pose& pose() const { return pose_; }
 
   private:
-    void keep(double limit, double reach, std::span<const double> row);
-    void point_row(std::size_t broom, double fraction, double nx, double ny, std::span<double> row);
-    void from_heading_gradient(std::span<double> row);
-    void keep_point(std::size_t broom, double fraction, double nx, double ny, double limit,
-                    double reach);
-    void keep_shape(double limit, double reach);
-    void near_turns(std::span<const double> configuration, double step_length);
+    /// A constraint gap(configuration) >= 0 that is near.
+    struct Near {
+        enum class Kind { turn, point, corner, first_turn, last_turn, area, closing } kind;
+        std::size_t index = 0;   ///< broom, or turn
+        double fraction = 0;     ///< point: where on the broom
+        double nx = 0, ny = 0;   ///< point: axis away from what is near; corner: where it is
+        double offset = 0;       ///< point: where along the axis that ends; corner: side of the broom
+        double gap = 0;          ///< at the row of linearise()
+        double change = 0;       ///< how much the gap may change at least
+    };
+
+    void add(Near near, double margin, double reach);
+    double gap(const Near& near, const Pose& pose, std::span<const double> row) const;
+    void gradient(const Near& near, std::span<double> row);
+    void from_heading_gradient(std::span<double> row) const;
+    void point_gradient(std::size_t broom, double fraction, double nx, double ny,
+                        std::span<double> row);
+    void closing_turn_gradient(std::size_t end, double sign);
+    void area_gradient();
+    void closing_gradient();
     void near_boxes(double step_length, double margin);
     void near_box(std::size_t broom, const geometry::Box& box, double step_length, double margin);
     void near_bounds(double step_length, double margin);
     void near_shape(double step_length, double strictness);
+    void take(std::span<const double> step);
+    bool correct(std::span<const double> step);
 
     const Chain& chain_;
     const ChainConstraints& constraints_;
     const ObstacleField& field_;
     const Metric& metric_;
-    Pose pose_;
-    NearBoxes near_;
+    std::vector<double> row_, next_;
+    Pose pose_, next_pose_;
+    NearBoxes boxes_;
     std::vector<double> heading_gradient_;
+    std::vector<Near> near_;  ///< one for each row of the program; springs come behind them
     DualActiveSet program_;
 };
 

@@ -13,12 +13,19 @@ constexpr double accuracy = 1e-6;
 /// A row whose part across the active ones is smaller than this (squared) depends on them.
 constexpr double dependent = 1e-10;
 
+double dot(const double* a, const double* b, std::size_t count) {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += a[i] * b[i];
+    return sum;
+}
+
 }  // namespace
 
 void DualActiveSet::clear() {
     rows_.clear();
     limits_.clear();
     compliances_.clear();
+    gram_ready_ = false;
 }
 
 std::span<double> DualActiveSet::add_row(double limit, double compliance) {
@@ -34,33 +41,30 @@ void DualActiveSet::drop_row() {
     rows_.resize(limits_.size() * dimension_);
 }
 
-void DualActiveSet::build_gram(std::span<const double> wish) {
+void DualActiveSet::build_gram() {
     const std::size_t count = size();
     gram_.resize(count * count);
+    for (std::size_t r = 0; r < count; ++r) {
+        const double* row = rows_.data() + r * dimension_;
+        for (std::size_t other = 0; other <= r; ++other)
+            gram_[r * count + other] = gram_[other * count + r] =
+                dot(row, rows_.data() + other * dimension_, dimension_);
+        gram_[r * count + r] += compliances_[r];
+    }
+    gram_ready_ = true;
+}
+
+std::span<const double> DualActiveSet::solve(std::span<const double> wish) {
+    const std::size_t count = size();
+    if (!gram_ready_) build_gram();
     missing_.resize(count);
     multipliers_.assign(count, 0.0);
     factor_.resize(count * count);
     forward_.resize(count);
     direction_.resize(count);
-    const auto dot = [this](const double* a, const double* b) {
-        double sum = 0;
-        for (std::size_t i = 0; i < dimension_; ++i) sum += a[i] * b[i];
-        return sum;
-    };
-    for (std::size_t r = 0; r < count; ++r) {
-        const double* row = rows_.data() + r * dimension_;
-        missing_[r] = limits_[r] - dot(row, wish.data());
-        for (std::size_t other = 0; other <= r; ++other)
-            gram_[r * count + other] = gram_[other * count + r] =
-                dot(row, rows_.data() + other * dimension_);
-        gram_[r * count + r] += compliances_[r];
-    }
-}
-
-std::span<const double> DualActiveSet::solve(std::span<const double> wish) {
-    const std::size_t count = size();
-    build_gram(wish);
     active_.clear();
+    for (std::size_t r = 0; r < count; ++r)
+        missing_[r] = limits_[r] - dot(rows_.data() + r * dimension_, wish.data(), dimension_);
     double wish_square = 0;
     for (double w : wish) wish_square += w * w;
     const double met = accuracy * std::sqrt(std::max(wish_square, 1e-12));

@@ -27,6 +27,11 @@ class DualActiveSet {
     /// Takes the last row back.
     void drop_row();
     std::size_t size() const { return limits_.size(); }
+    double limit(std::size_t row) const { return limits_[row]; }
+    void set_limit(std::size_t row, double limit) { limits_[row] = limit; }
+    std::span<const double> row(std::size_t row) const {
+        return {rows_.data() + row * dimension_, dimension_};
+    }
 
     /// The nearest point. Where the rows contradict each other, or too many steps are needed, the
     /// last iterate, which meets the rows that are active.
@@ -36,7 +41,7 @@ class DualActiveSet {
     bool pushed() const { return pushed_; }
 
   private:
-    void build_gram(std::span<const double> wish);
+    void build_gram();
     double prepare_direction(std::size_t row);
     bool activate(std::size_t row);
     void deactivate(std::size_t position);
@@ -52,6 +57,7 @@ class DualActiveSet {
     std::vector<double> forward_, direction_;
     std::vector<double> step_;
     bool pushed_ = false;
+    bool gram_ready_ = false;
 };
 
 }  // namespace asv::core

@@ -22,7 +22,7 @@ SlideSteering::SlideSteering(MotionChecker& checker, const Metric& metric,
       metric_(metric),
       options_(options),
       constrained_(checker.chain(), checker.constraints(), checker.field(), metric) {
-    for (auto* array : {&row_, &next_, &wish_, &step_}) array->resize(metric.dimension());
+    for (auto* array : {&row_, &next_, &wish_}) array->resize(metric.dimension());
 }
 
 Steered SlideSteering::slide(std::span<const double> from, std::span<const double> target,
@@ -37,15 +37,16 @@ Steered SlideSteering::slide(std::span<const double> from, std::span<const doubl
             const std::size_t before = visited.size();
             if (go_straight(target, distance, visited)) return Steered::reached;
             if (visited.size() > before) outcome = Steered::advanced;
+            if (!options_.slide) return outcome;
             distance = metric_.distance(row_, target);
         }
         const double length = std::min(pace.step, distance);
         for (std::size_t k = 0; k < wish_.size(); ++k)
             wish_[k] = (target[k] - row_[k]) * metric_.scale(k) * (length / distance);
         constrained_.linearise(row_, length, pace.margin, pace.margin / options_.margin);
-        const auto step = constrained_.solve(wish_);
+        const auto next = constrained_.solve(wish_);
+        std::copy(next.begin(), next.end(), next_.begin());
         free_ahead = !constrained_.pushed();
-        take(step);
         if (distance - metric_.distance(next_, target) < options_.progress * length) {
             if (!tighten(pace)) return outcome;
             continue;
@@ -79,8 +80,8 @@ Steered SlideSteering::pull(std::span<const double> from, std::size_t asv,
         const double length = std::min(pace.step, distance);
         constrained_.linearise(row_, length, pace.margin, pace.margin / options_.margin);
         constrained_.pull(asv, dx * length / distance, dy * length / distance, stiffness);
-        const auto step = constrained_.solve(wish_);
-        take(step);
+        const auto next = constrained_.solve(wish_);
+        std::copy(next.begin(), next.end(), next_.begin());
         chain.forward(next_, pose);
         const double left = std::hypot(target.x - pose.x[asv], target.y - pose.y[asv]);
         if (distance - left < options_.progress * length) {
@@ -100,17 +101,10 @@ Steered SlideSteering::pull(std::span<const double> from, std::size_t asv,
     return outcome;
 }
 
-/// next_ = row_ + step, with turns that the solver left a little below straight put right.
-void SlideSteering::take(std::span<const double> step) {
-    for (std::size_t k = 0; k < next_.size(); ++k) next_[k] = row_[k] + step[k] / metric_.scale(k);
-    const auto& least = checker_.constraints().minimum_turn;
-    for (std::size_t i = 0; i < least.size(); ++i) next_[3 + i] = std::max(next_[3 + i], least[i]);
-}
-
 /// Gives up half-measures: a quarter of the margin, full steps again; false at a hair.
 bool SlideSteering::tighten(Pace& pace) const {
     if (pace.margin <= options_.hair) return false;
-    pace.margin = std::max(options_.hair, 0.2 * pace.margin);
+    pace.margin = std::max(options_.hair, 0.05 * pace.margin);
     pace.step = options_.step;
     return true;
 }

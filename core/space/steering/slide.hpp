@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "asv/core/planning/result.hpp"
 #include "asv/core/space/metric.hpp"
 #include "asv/core/space/motion.hpp"
 #include "asv/core/space/steering/constrained_step.hpp"
@@ -14,23 +15,13 @@ namespace asv::core {
 
 /// Settings of the steering that follows the requirements instead of stopping at them.
 struct SlideOptions {
+    bool slide = true;       ///< off: straight motions only, stopped by what they meet
     double step = 0.03;      ///< longest constrained step, root mean square motion of the ASVs
     double margin = 0.002;   ///< gap kept to obstacles where there is room
     double hair = 5e-6;      ///< least gap, where the place is so tight that the margin closes it
     double progress = 0.05;  ///< share of its step by which a step has to come nearer
     std::size_t most_steps = 200;  ///< of one call
 };
-
-/// What steering came to.
-enum class Steered {
-    trapped,   ///< no progress at all
-    advanced,  ///< came nearer
-    reached    ///< is there
-};
-
-/// The rows that a steering passed, one after the other, each joined to the one before by a
-/// certified straight motion.
-using Rows = std::vector<double>;
 
 /// Slide and pull: motions that give way to whatever stands against them. Every state is kept,
 /// since a straight line between the ends of a slide would cut corners.
@@ -54,7 +45,6 @@ class SlideSteering {
     struct Pace {
         double step, margin;
     };
-    void take(std::span<const double> step);
     bool tighten(Pace& pace) const;
     bool go_straight(std::span<const double> target, double distance, Rows& visited);
     void keep(Rows& visited);
@@ -63,7 +53,7 @@ class SlideSteering {
     const Metric& metric_;
     SlideOptions options_;
     ConstrainedStep constrained_;
-    std::vector<double> row_, next_, wish_, step_;
+    std::vector<double> row_, next_, wish_;
     std::uint64_t steps_ = 0;
 };
 

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "asv/core/generate/random_chain.hpp"
+#include "asv/core/planning/rng.hpp"
+#include "asv/core/problem.hpp"
+
+/// Families of random problems in the unit square. Every function draws from the given stream only,
+/// so the same options and the same seed give the same problem. Start and goal meet every
+/// requirement; whether there is a path is another question (see vouch.hpp). Lengths are in
+/// workspace units. A parameter that is out of range throws std::invalid_argument that names it;
+/// a start or goal that finds no place throws NoRoom.
+
+namespace asv::core {
+
+/// Height of a corridor or door.
+struct PassageHeight {
+    double factor = 1.3;             ///< times least_flat_height, 0.05 to 50
+    std::optional<double> absolute;  ///< taken instead where given, 0.001 to 0.5
+
+    /// Throws std::invalid_argument when out of range.
+    double value(std::size_t asv_count, const Requirements& requirements) const;
+};
+
+/// Width of a way that a chain can turn in.
+struct WayWidth {
+    double factor = 1.1;             ///< times round_diameter, 0.1 to 20
+    std::optional<double> absolute;  ///< taken instead where given, 0.005 to 0.9
+
+    /// Throws std::invalid_argument when out of range.
+    double value(std::size_t asv_count, const Requirements& requirements) const;
+};
+
+/// One straight corridor between two blocks that reach the upper and the lower border.
+struct CorridorOptions {
+    ChainOptions chain;
+    PassageHeight height;
+    /// 0.01 to 0.8. By default 1.05 times the length of the chain where that leaves two rooms (up
+    /// to 0.5); else at most 1/3 and so short that the round chain fits into both rooms: then the
+    /// chain hangs out of both mouths.
+    std::optional<double> length;
+    std::optional<double> level;  ///< y of the corridor's axis, 0.1 to 0.9; drawn by default
+};
+Problem corridor(const CorridorOptions& options, Rng& rng);
+
+/// One corridor with right-angled bends through a solid block, from a room on the left to a room on
+/// the right (even number of bends) or at the top (odd).
+struct BendOptions {
+    ChainOptions chain;
+    /// One bend can be passed at little more than the least height. Bends to either side one after
+    /// the other cannot, since a chain turns one way only: below about 2.5 no path is known.
+    PassageHeight height{3.0, std::nullopt};
+    std::size_t bends = 2;  ///< 1 to 8
+    double leg = 0.15;      ///< least length of an upright leg, 0.02 to 0.35
+    double room = 0.28;     ///< width of the two rooms, 0.1 to 0.4
+};
+Problem bend(const BendOptions& options, Rng& rng);
+
+/// Several walls in a row, each with one corridor at a height of its own.
+struct GauntletOptions {
+    ChainOptions chain;
+    PassageHeight height;
+    std::size_t walls = 2;       ///< 1 to 6
+    double thickness = 0.1;      ///< of each wall, 0.005 to 0.5
+    double least_offset = 0.2;   ///< between the axes of neighbouring corridors, 0 to 0.35
+    std::optional<double> room;  ///< width of the first and last room; 1.25 times round_diameter,
+                                 ///< at least 0.2 and at most 0.34, by default
+};
+Problem gauntlet(const GauntletOptions& options, Rng& rng);
+
+/// Rooms in a row with doors between them and shelves in them.
+struct RoomsOptions {
+    ChainOptions chain;
+    PassageHeight height;     ///< of the doors
+    std::size_t rooms = 3;    ///< 2 to 6
+    std::size_t doors = 2;    ///< in each wall, 1 to 4
+    double thickness = 0.08;  ///< of each wall, 0.005 to 0.3
+    std::size_t shelves = 2;  ///< boxes of sides 0.04 to 0.12 anywhere in the rooms, 0 to 50
+    double shelf_gap = 0.08;  ///< least distance from a shelf to a door, 0 to 0.3
+};
+Problem rooms(const RoomsOptions& options, Rng& rng);
+
+/// A perfect maze (one way between any two cells) of square cells, drawn by depth-first search.
+/// The start is in a corner, the goal in the cell that is farthest from it.
+struct MazeOptions {
+    ChainOptions chain;
+    WayWidth way;
+    double wall = 0.02;                ///< least thickness of a wall, 0.001 to 0.3
+    std::optional<std::size_t> cells;  ///< on each side, 2 to 60; by default as many as fit
+};
+Problem maze(const MazeOptions& options, Rng& rng);
+
+enum class SpiralDirection { inward, outward, random };
+
+/// A square spiral.
+struct SpiralOptions {
+    ChainOptions chain;
+    WayWidth way;
+    double wall = 0.05;               ///< between two turns of the spiral, 0.001 to 0.3
+    std::optional<std::size_t> legs;  ///< straight parts, 2 to 200; by default as many as fit
+    SpiralDirection direction = SpiralDirection::random;
+};
+Problem spiral(const SpiralOptions& options, Rng& rng);
+
+enum class Arm { east, north, west, south, random };
+
+/// A crossing of two wide roads; start and goal each in an arm and in the crossing itself.
+struct CrossingOptions {
+    ChainOptions chain;
+    WayWidth road;         ///< width of both roads, at least 0.25 where the factor decides
+    double offset = 0.05;  ///< the axes are drawn this far around the middle, 0 to 0.2
+    Arm start_arm = Arm::random;
+    Arm goal_arm = Arm::random;  ///< drawn from the other arms
+};
+Problem crossing(const CrossingOptions& options, Rng& rng);
+
+/// Random boxes, which may overlap.
+struct ClutterOptions {
+    ChainOptions chain;
+    std::size_t obstacles = 20;  ///< 0 to 1,000,000
+    double density = 0.15;       ///< sum of all areas, 0.0001 to 0.9; decides the sides
+    double side_ratio = 3;       ///< longest to shortest side, 1 to 20
+    /// Width of a winding lane that is kept free from the start to the goal, as a multiple of
+    /// round_diameter, 0 to 5. By default 1.3 where the boxes are closer to each other than the
+    /// chain is wide, else 0: no lane.
+    std::optional<double> lane;
+};
+Problem clutter(const ClutterOptions& options, Rng& rng);
+
+}  // namespace asv::core

@@ -1,0 +1,161 @@
+#include "asv/core/generate/random_chain.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "asv/core/generate/option_check.hpp"
+#include "asv/geometry/distance.hpp"
+#include "asv/geometry/polygon.hpp"
+
+namespace asv::core {
+
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+// A shape is cheap and most are refused in narrow rooms; places of one shape are more alike.
+constexpr int shapes_tried = 30'000;
+constexpr int places_tried = 30;
+
+double turn(const Point& a, const Point& b, const Point& c) {
+    const Point u{b.x - a.x, b.y - a.y};
+    const Point v{c.x - b.x, c.y - b.y};
+    return std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y);
+}
+
+bool acceptable(std::span<const Point> chain, const ChainOptions& options,
+                const Requirements& requirements) {
+    const std::size_t n = chain.size();
+    const double closing =
+        std::hypot(chain.front().x - chain.back().x, chain.front().y - chain.back().y);
+    // The margin of 0.2 keeps the two turns at the closing side away from pi as well: there a
+    // rounding error would decide.
+    const double most = std::numbers::pi - 0.2;
+    const double last = turn(chain[n - 2], chain[n - 1], chain[0]);
+    const double first = turn(chain[n - 1], chain[0], chain[1]);
+    return closing >= options.least_closing && last >= options.least_turn && last <= most &&
+           first >= options.least_turn && first <= most &&
+           geometry::signed_area(chain) >= (1 + options.area_margin) * requirements.minimum_area(n);
+}
+
+std::vector<double> draw_turns(std::size_t count, double least_turn, Rng& rng) {
+    constexpr std::array concentrations{0.15, 0.4, 1.0, 3.0, 10.0, 100.0};
+    const double concentration = concentrations[rng.below(concentrations.size())];
+    const double total = rng.uniform(0, two_pi);
+    std::vector<double> turns(count);
+    double sum = 0;
+    for (double& value : turns) sum += value = rng.gamma(concentration);
+    if (!(sum > 0)) return turns;
+    const double shared = std::max(0.0, total - least_turn * static_cast<double>(count));
+    for (double& value : turns) value = least_turn + shared * value / sum;
+    return turns;
+}
+
+Box bounding_box(std::span<const Point> points) {
+    Box box{points.front(), points.front()};
+    for (const Point& point : points) {
+        box.low = {std::min(box.low.x, point.x), std::min(box.low.y, point.y)};
+        box.high = {std::max(box.high.x, point.x), std::max(box.high.y, point.y)};
+    }
+    return box;
+}
+
+bool is_free(std::span<const Point> chain, std::span<const Box> obstacles, double clearance) {
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+        const Box near = grown(bounding_box(chain.subspan(i, 2)), clearance);
+        const geometry::Segment broom{chain[i], chain[i + 1]};
+        for (const Box& obstacle : obstacles) {
+            if (obstacle.low.x > near.high.x || obstacle.high.x < near.low.x ||
+                obstacle.low.y > near.high.y || obstacle.high.y < near.low.y)
+                continue;
+            if (geometry::distance(broom, obstacle) <= clearance) return false;
+        }
+    }
+    return true;
+}
+
+/// The chain moved to a random place inside the region; nothing when it is too large for it.
+std::optional<std::vector<Point>> drawn_place(std::vector<Point> chain, const Box& region,
+                                              Rng& rng) {
+    const Box box = bounding_box(chain);
+    const Point least{region.low.x - box.low.x, region.low.y - box.low.y};
+    const Point most{region.high.x - box.high.x, region.high.y - box.high.y};
+    if (least.x > most.x || least.y > most.y) return std::nullopt;
+    const Point shift{rng.uniform(least.x, most.x), rng.uniform(least.y, most.y)};
+    for (Point& point : chain) point = {point.x + shift.x, point.y + shift.y};
+    return chain;
+}
+
+std::vector<Point> draw_end(const Problem& problem, const ChainOptions& options, const Box& region,
+                            Orientation orientation, Rng& rng) {
+    const double length = problem.requirements.broom_length;
+    for (int i = 0; i < shapes_tried; ++i) {
+        std::vector<double> turns = random_turns(options, problem.requirements, rng);
+        if (orientation == Orientation::clockwise)
+            for (double& value : turns) value = -value;
+        for (int k = 0; k < places_tried; ++k) {
+            const auto place = drawn_place(
+                chain_positions(turns, rng.uniform(0, two_pi), {0, 0}, length), region, rng);
+            if (place && is_free(*place, problem.obstacles, options.clearance)) return *place;
+        }
+    }
+    throw NoRoom("no start or goal of " + std::to_string(options.asv_count) +
+                 " ASVs was found where it has to stand; leave more room");
+}
+
+Box inner_region(const Box& region, const Box& bounds, double clearance) {
+    const Box inside = grown(bounds, -clearance);
+    return {{std::max(region.low.x, inside.low.x), std::max(region.low.y, inside.low.y)},
+            {std::min(region.high.x, inside.high.x), std::min(region.high.y, inside.high.y)}};
+}
+
+}  // namespace
+
+void check(const ChainOptions& options) {
+    require_range("asvs", options.asv_count, 3, 200);
+    require_range("clearance", options.clearance, 0, 0.1);
+    require_range("area-margin", options.area_margin, 0, 0.2);
+    require_range("least-turn", options.least_turn, 0, 0.01);
+    require_range("least-closing", options.least_closing, 0, 0.05);
+}
+
+std::vector<Point> chain_positions(std::span<const double> turns, double heading,
+                                   const Point& first, double broom_length) {
+    std::vector<Point> points{first};
+    points.reserve(turns.size() + 2);
+    for (std::size_t i = 0; i <= turns.size(); ++i) {
+        if (i > 0) heading += turns[i - 1];
+        points.push_back({points.back().x + broom_length * std::cos(heading),
+                          points.back().y + broom_length * std::sin(heading)});
+    }
+    return points;
+}
+
+std::vector<double> random_turns(const ChainOptions& options, const Requirements& requirements,
+                                 Rng& rng) {
+    // A shape is accepted once in 3 to 200 draws; the cap only guards against requirements that no
+    // shape meets.
+    for (int i = 0; i < 1'000'000; ++i) {
+        std::vector<double> turns = draw_turns(options.asv_count - 2, options.least_turn, rng);
+        const auto chain = chain_positions(turns, 0, {0, 0}, requirements.broom_length);
+        if (acceptable(chain, options, requirements)) return turns;
+    }
+    throw NoRoom("no shape of " + std::to_string(options.asv_count) +
+                 " ASVs meets the requirements with these margins");
+}
+
+void draw_ends(Problem& problem, const ChainOptions& options, const EndRegions& regions, Rng& rng) {
+    Orientation orientation = options.orientation;
+    if (orientation == Orientation::random)
+        orientation = rng.chance(0.5) ? Orientation::clockwise : Orientation::counter_clockwise;
+    const Box bounds = problem.requirements.bounds;
+    problem.start = draw_end(
+        problem, options, inner_region(regions.start, bounds, options.clearance), orientation, rng);
+    problem.goal = draw_end(problem, options, inner_region(regions.goal, bounds, options.clearance),
+                            orientation, rng);
+}
+
+}  // namespace asv::core

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "asv/core/planning/rng.hpp"
+#include "asv/core/problem.hpp"
+
+/// Random chains that meet every requirement: a shape first, then a place for it.
+
+namespace asv::core {
+
+enum class Orientation { clockwise, counter_clockwise, random };
+
+/// What every family asks of its starts and goals.
+struct ChainOptions {
+    std::size_t asv_count = 3;                      ///< 3 to 200
+    Orientation orientation = Orientation::random;  ///< of the start and of the goal alike
+    double clearance = 0.001;   ///< least distance of start and goal to obstacles and bounds, >= 0
+    double area_margin = 0.02;  ///< how far above the minimum area, as a share of it, 0 to 0.2
+    double least_turn = 1e-4;   ///< of every vertex, so that none is straight; radians, 0 to 0.01
+    double least_closing = 0.01;  ///< length of the closing side, in workspace units, 0 to 0.05
+};
+
+/// No start or goal was found in the space that the other parameters leave.
+class NoRoom : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Throws std::invalid_argument that names the parameter when one is out of its range.
+void check(const ChainOptions& options);
+
+/// The asv_count - 2 turns of a valid counter-clockwise shape, drawn as a total turn that is split
+/// by a symmetric Dirichlet draw of random concentration: from a few sharp corners to regular arcs.
+/// Accepted on area, closing side and closing turns alone.
+std::vector<double> random_turns(const ChainOptions& options, const Requirements& requirements,
+                                 Rng& rng);
+
+/// The ASVs of a chain whose first one stands at the given point.
+std::vector<Point> chain_positions(std::span<const double> turns, double heading,
+                                   const Point& first, double broom_length);
+
+/// Where a drawn chain may stand: all its ASVs inside the region.
+struct EndRegions {
+    Box start;
+    Box goal;
+};
+
+/// Draws start and goal of the problem, of one orientation, inside their regions and free of the
+/// obstacles. Throws NoRoom after many vain draws.
+void draw_ends(Problem& problem, const ChainOptions& options, const EndRegions& regions, Rng& rng);
+
+}  // namespace asv::core

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+
+#include "asv/core/chain/chain.hpp"
+#include "asv/core/planning/result.hpp"
+
+namespace asv::core {
+
+/// What a straight line in C-space costs: the sum of the lengths of the curves that the ASVs draw,
+/// by chords short enough to be right to about 0.1 %. Holds scratch memory.
+class MotionCost {
+  public:
+    explicit MotionCost(const Chain& chain);
+
+    double operator()(std::span<const double> from, std::span<const double> to);
+
+    /// The cost of all motions of a path.
+    double path(const Rows& rows);
+
+  private:
+    const Chain& chain_;
+    Pose pose_, next_;
+    std::vector<double> row_;
+};
+
+}  // namespace asv::core

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "asv/core/path/motion_cost.hpp"
+#include "asv/core/planning/result.hpp"
+#include "asv/core/planning/rng.hpp"
+#include "asv/core/space/motion.hpp"
+
+namespace asv::core {
+
+/// How two places of a path may be joined anew: appends the rows that lead from the first to the
+/// second (the second one included) and says whether they get there.
+using Bridge =
+    std::function<bool(std::span<const double> from, std::span<const double> to, Rows& between)>;
+
+/// Tries to shorten a path and returns whether it did: two random places, even in cost, are joined
+/// anew by the bridge; what is cheaper replaces what was between them (Geraerts and Overmars, 2007,
+/// in the cost that counts: the distances of the ASVs). The path keeps its ends and its validity.
+class Shortcutter {
+  public:
+    Shortcutter(const Chain& chain, Rows path);
+
+    const Rows& path() const { return path_; }
+    double cost() const { return cumulative_.back(); }
+
+    /// One attempt with the places' distance up to the given share of the whole path.
+    bool attempt(const Bridge& bridge, double most_share, Rng& rng);
+
+  private:
+    struct Place {
+        std::size_t after;  ///< way point before the place
+        double fraction;
+    };
+    Place at(double cost) const;
+    void configuration(const Place& place, std::vector<double>& row) const;
+    void measure();
+
+    std::size_t dimension_;
+    MotionCost motion_cost_;
+    Rows path_;
+    std::vector<double> cumulative_;
+    std::vector<double> from_, to_;
+    Rows between_;
+};
+
+}  // namespace asv::core

@@ -1,0 +1,117 @@
+#include "asv/geometry/batch/chain_batch.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "asv/geometry/batch/chain_batch.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "asv/geometry/batch/chain_shape-inl.hpp"
+#include "asv/geometry/batch/link_search-inl.hpp"
+#include "asv/geometry/segment_box.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace asv::geometry::batch::HWY_NAMESPACE {
+namespace {
+
+/// Exact: the lanes in which one of the links meets the box.
+LaneMask meeting(const detail::ChainScratch& scratch, const Box& box, LaneMask of,
+                 std::size_t first, std::size_t count) {
+    LaneMask found = 0;
+    for (; of != 0; of &= of - 1) {
+        const auto i = static_cast<std::size_t>(__builtin_ctz(of));
+        for (std::size_t k = first; k < first + count; ++k) {
+            const Segment link{{scratch.x[k][i], scratch.y[k][i]},
+                               {scratch.x[k + 1][i], scratch.y[k + 1][i]}};
+            if (!meets(link, box)) continue;
+            found |= 1U << i;
+            break;
+        }
+    }
+    return found;
+}
+
+template <class Source>
+HWY_INLINE detail::LaneVerdict judge(const ChainLimits& limits, const BoxIndex& boxes,
+                                     const Source& source, detail::ChainScratch& scratch) {
+    detail::LaneVerdict verdict;
+    for (std::size_t i = 0; i < lanes; i += hn::Lanes(Double8())) {
+        const auto [certified, valid] = ChainWalk<Source>(limits, source, scratch, i).walk();
+        verdict.certified |= certified << i;
+        verdict.valid |= valid << i;
+    }
+    LaneMask alive = verdict.valid;
+    search_links<Source::moving>(
+        scratch, boxes.tree(), alive,
+        [&](std::uint32_t box, LaneMask hit, std::size_t first, std::size_t count) HWY_ATTR {
+            verdict.certified &= ~hit;
+            alive &= ~meeting(scratch, boxes.boxes()[box], hit, first, count);
+        });
+    verdict.valid = alive;
+    return verdict;
+}
+
+LaneMask Valid(const ChainLimits& limits, const BoxIndex& boxes, std::span<const Pack> rows,
+               detail::ChainScratch& scratch) {
+    return judge(limits, boxes, Resting{rows}, scratch).valid;
+}
+
+detail::LaneVerdict Certify(const ChainLimits& limits, const BoxIndex& boxes,
+                            const Stretches& stretches, detail::ChainScratch& scratch) {
+    return judge(limits, boxes, Moving{stretches}, scratch);
+}
+
+}  // namespace
+}  // namespace asv::geometry::batch::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace asv::geometry::batch {
+
+namespace {
+
+HWY_EXPORT(Valid);
+HWY_EXPORT(Certify);
+
+}  // namespace
+
+// Comparing a link with a box in single precision, with every coordinate at most M in magnitude and
+// unit normals: the positions, the box and the normal are each rounded (2^-24 of M, of M and of 1),
+// centre and extent of the box again, and the shadows take two products and two sums each. Every
+// such step costs at most 2^-24 * 4 M, and there are fewer than 16 of them: 2^-18 M. The joint
+// rounding of the double-precision sums is below 2^-50 of (1 + M + total length)^2 for a link count
+// below a thousand; 2^-44 leaves room to the positions that a caller computes in another order.
+ChainBatch::ChainBatch(std::size_t links, const ChainLimits& limits, const BoxIndex& boxes)
+    : limits_(limits), boxes_(boxes) {
+    assert(links >= 1);
+    assert(limits.least_turn.size() + 1 == links);
+    assert(limits.anchor_lever.empty() || limits.anchor_lever.size() == links);
+    for (auto* points : {&scratch_.x, &scratch_.y}) points->resize(links + 1);
+    for (auto* directions : {&scratch_.direction_x, &scratch_.direction_y})
+        directions->resize(links);
+    scratch_.links.resize(links);
+    const auto& [low, high] = limits.bounds;
+    const double largest = std::max({std::fabs(low.x), std::fabs(low.y), std::fabs(high.x),
+                                     std::fabs(high.y), boxes.tree().reach});
+    const double size = 1 + largest + static_cast<double>(links) * limits.link;
+    scratch_.slack = static_cast<float>(0x1p-18 * largest);
+    scratch_.rounding = 0x1p-44 * size * size;
+}
+
+LaneMask ChainBatch::valid(std::span<const Pack> rows) {
+    assert(rows.size() == links() + 2);
+    return HWY_DYNAMIC_DISPATCH(Valid)(limits_, boxes_, rows, scratch_);
+}
+
+StretchVerdict ChainBatch::certify(const Stretches& stretches) {
+    assert(stretches.from.size() == links() + 2 && stretches.step.size() == links() + 2);
+    const auto [certified, valid] =
+        HWY_DYNAMIC_DISPATCH(Certify)(limits_, boxes_, stretches, scratch_);
+    return {certified & valid, valid};
+}
+
+}  // namespace asv::geometry::batch
+#endif  // HWY_ONCE

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "asv/geometry/primitives.hpp"
+
+namespace asv::geometry {
+
+/// What boxes leave free of a rectangle, for a point that moves in it: which places are connected,
+/// and how far it is from one to the other.
+///
+/// The point may come arbitrarily close to a box and to the border, but not onto them: boxes that
+/// touch, if only at a corner, leave no way between them, nor do a box and the border that it
+/// touches. A length is the limit that such paths approach, so that paths along a wall count.
+/// Boxes without interior are ignored. The parts of boxes outside the bounds do not matter.
+///
+/// The free part is cut into cells only where a question leads; the answers are kept for the next
+/// question, so that a FreeSpace must not be used by two threads at once.
+class FreeSpace {
+  public:
+    /// O(boxes). Precondition: finite coordinates, fewer than 2^30 boxes, bounds has an interior.
+    FreeSpace(std::span<const Box> boxes, const Box& bounds);
+    FreeSpace(FreeSpace&&) noexcept;
+    FreeSpace& operator=(FreeSpace&&) noexcept;
+    ~FreeSpace();
+
+    /// Is the point free or on the border of the free part? A point inside the union of the boxes
+    /// or outside the bounds is not.
+    bool is_free(const Point& point);
+
+    /// Are both points free and in the same component? A point where components touch is in each.
+    bool connected(const Point& from, const Point& to);
+
+    /// The length of the shortest path, with a relative error below 1e-13; 0 from a free point to
+    /// itself, infinity where the points are not connected.
+    double shortest_path(const Point& from, const Point& to);
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace asv::geometry

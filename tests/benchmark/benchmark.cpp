@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scene.hpp"
+#include "worlds.hpp"
+#include <benchmark/benchmark.h>
+
+/// State checks per second (kinematics, bounds, turns, closing turns, area, collision) on valid
+/// states, so that no check ends early: the SIMD kernels beside a scalar loop, CGAL and
+/// Boost.Geometry. After the measurements, a table of ratios of this same run.
+
+namespace {
+
+using namespace asv::geometry;
+using namespace asv::geometry::benchmark_scene;
+
+using Make = std::unique_ptr<Contender> (*)(const Scene&);
+
+struct Case {
+    std::string world;
+    std::size_t points, boxes;
+
+    std::string name() const {
+        return world + "/n:" + std::to_string(points) + "/m:" + std::to_string(boxes);
+    }
+};
+
+/// The scene of a case; only the last one is kept, as a million boxes are large.
+const Scene& scene_of(const Case& wanted) {
+    static std::string name;
+    static std::unique_ptr<Scene> scene;
+    if (name != wanted.name()) {
+        benchmark_worlds::Random random(1);
+        auto boxes = wanted.world == "map" ? benchmark_worlds::grid_map(wanted.boxes, random)
+                                           : benchmark_worlds::dust(wanted.boxes, random);
+        scene = std::make_unique<Scene>(wanted.points, std::move(boxes), 2048);
+        name = wanted.name();
+    }
+    return *scene;
+}
+
+void run(benchmark::State& state, const Case& wanted, Make make, bool hierarchical) {
+    const Scene& scene = scene_of(wanted);
+    const std::unique_ptr<Contender> contender = make(scene);
+    // Those who look at every box would need minutes for all states among a million.
+    const std::size_t affordable = 30'000'000 / (wanted.boxes * wanted.points);
+    const std::size_t most = hierarchical ? scene.chains.size() : affordable / 8 * 8;
+    const std::size_t count = std::clamp<std::size_t>(most, 8, scene.chains.size());
+    if (count == 0 || contender->count_valid(count) != count) {
+        state.SkipWithError("not all states are found valid");
+        return;
+    }
+    for (auto _ : state) benchmark::DoNotOptimize(contender->count_valid(count));
+    const auto checks = static_cast<double>(state.iterations()) * static_cast<double>(count);
+    state.counters["checks/s"] = benchmark::Counter(checks, benchmark::Counter::kIsRate);
+}
+
+/// Prints as usual and remembers the rates for the table at the end.
+class RatioReporter : public benchmark::ConsoleReporter {
+  public:
+    void ReportRuns(const std::vector<Run>& runs) override {
+        ConsoleReporter::ReportRuns(runs);
+        for (const Run& run : runs) {
+            if (run.error_occurred) continue;
+            const std::string name = run.benchmark_name();
+            const std::size_t cut = name.find('/');
+            double& rate = rates_[name.substr(cut + 1)][name.substr(0, cut)];
+            rate = std::max(rate, run.counters.at("checks/s").value);
+        }
+    }
+
+    void Finalize() override {
+        std::printf("\n%-22s %12s %12s %10s %10s %10s\n", "state checks", "kernel/s", "ns/check",
+                    "x scalar", "x CGAL", "x Boost");
+        for (const auto& [name, rates] : rates_) {
+            const auto rate = [&rates](const char* who) {
+                const auto found = rates.find(who);
+                return found == rates.end() ? 0 : found->second;
+            };
+            const double kernel = rate("kernel");
+            std::printf("%-22s %12.4g %12.1f", name.c_str(), kernel, 1e9 / kernel);
+            for (const char* who : {"scalar", "cgal", "boost"}) {
+                if (rate(who) > 0) std::printf(" %10.3g", kernel / rate(who));
+            }
+            std::printf("\n");
+        }
+    }
+
+  private:
+    std::map<std::string, std::map<std::string, double>> rates_;
+};
+
+void register_case(const Case& wanted) {
+    constexpr std::pair<const char*, Make> contenders[] = {{"kernel", make_kernel},
+                                                           {"scalar", make_scalar},
+                                                           {"cgal", make_cgal},
+                                                           {"boost", make_boost}};
+    for (const auto& [who, make] : contenders) {
+        const std::string name = std::string(who) + "/" + wanted.name();
+        const bool hierarchical = make == make_kernel;
+        benchmark::RegisterBenchmark(name.c_str(), [wanted, make, hierarchical](auto& state) {
+            run(state, wanted, make, hierarchical);
+        })->Unit(benchmark::kMicrosecond);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    for (const std::size_t points : {3, 7, 15, 25}) {
+        for (const std::size_t boxes : {2, 7, 100, 10'000, 1'000'000}) {
+            register_case({"dust", points, boxes});
+            if (boxes >= 100) register_case({"map", points, boxes});
+        }
+    }
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    RatioReporter reporter;
+    benchmark::RunSpecifiedBenchmarks(&reporter);
+    return 0;
+}

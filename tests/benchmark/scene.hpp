@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "asv/geometry/batch/chain_batch.hpp"
+#include "asv/geometry/box_index.hpp"
+
+namespace asv::geometry::benchmark_scene {
+
+/// One world with valid chains in it, in the forms that the contenders want.
+struct Scene {
+    Scene(std::size_t points, std::vector<Box> given_boxes, std::size_t chain_count);
+
+    std::size_t points;
+    std::vector<Box> boxes;
+    BoxIndex index;
+    batch::ChainLimits limits;
+    std::vector<std::vector<double>> chains;  ///< x, y, headings
+    std::vector<batch::Pack> packs;           ///< the same, points + 1 rows for every eight chains
+};
+
+/// Checks states one after the other, or eight at a time, and counts the valid ones.
+class Contender {
+  public:
+    virtual ~Contender() = default;
+    /// How many of the first count chains are valid. Precondition: count is a multiple of eight.
+    virtual std::size_t count_valid(std::size_t count) = 0;
+};
+
+std::unique_ptr<Contender> make_kernel(const Scene& scene);
+std::unique_ptr<Contender> make_scalar(const Scene& scene);
+/// These replace the collision test of the scalar loop by another library's.
+std::unique_ptr<Contender> make_cgal(const Scene& scene);
+std::unique_ptr<Contender> make_boost(const Scene& scene);
+
+}  // namespace asv::geometry::benchmark_scene

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "asv/geometry/batch/chain_batch.hpp"
+#include "asv/geometry/primitives.hpp"
+
+/// Worlds and chains to measure in and to test on; the same seed gives the same on every platform.
+
+namespace asv::geometry::benchmark_worlds {
+
+class Random {
+  public:
+    explicit Random(std::uint64_t seed) : engine_(seed) {}
+    double uniform(double low, double high) {
+        return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
+    }
+
+  private:
+    std::mt19937_64 engine_;
+};
+
+/// Squares spread evenly over the unit square, so small that a chain of seven often avoids them:
+/// side 0.1 for a few and 0.3 / count for many.
+std::vector<Box> dust(std::size_t count, Random& random);
+
+/// The occupied cells of a grid map of round blobs, count of them: solid ground with wide gaps.
+std::vector<Box> grid_map(std::size_t count, Random& random);
+
+/// The requirements of the assignment for chains of this many points, without tolerances.
+batch::ChainLimits chain_limits(std::size_t points);
+
+/// A configuration (x, y, headings) of a convex chain that is often valid: the total turn split
+/// over the joints by exponential draws, placed anywhere.
+std::vector<double> random_chain(std::size_t points, Random& random);
+
+/// Valid configurations among the boxes, by rejection; fewer than count if they are too rare.
+std::vector<std::vector<double>> valid_chains(std::size_t points, std::size_t count,
+                                              const std::vector<Box>& boxes, Random& random);
+
+}  // namespace asv::geometry::benchmark_worlds

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that the project needs: install_packages.sh [build|test].
+# "build" is what the libraries and programs need, "test" adds what the tests need.
+set -euo pipefail
+
+build_packages=(
+    g++ cmake ninja-build          # compiler and build system
+    libcgal-dev                    # exact predicates
+    libhwy-dev                     # vector code chosen at run time
+    libcli11-dev                   # command lines
+    nlohmann-json3-dev             # JSON files
+    libcairo2-dev pkg-config       # pictures
+)
+test_packages=(
+    libgtest-dev librapidcheck-dev # unit and property tests
+    libbenchmark-dev libboost-dev  # benchmarks, and a peer to compare with
+)
+
+packages=("${build_packages[@]}")
+if [ "${1:-build}" = test ]; then
+    packages+=("${test_packages[@]}")
+    # A browser to open the player in, and what drives it; other sources of node serve as well.
+    command -v chromium > /dev/null || packages+=(chromium)
+    command -v node > /dev/null || packages+=(nodejs)
+    command -v npm > /dev/null || packages+=(npm)
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+    dpkg-query --show --showformat='${Status}\n' "$package" 2> /dev/null |
+        grep -q '^install ok installed$' || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+echo "Installing ${missing[*]}"
+as_root=()
+[ "$(id -u)" -eq 0 ] || as_root=(sudo)
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}" > /dev/null
