@@ -49,8 +49,9 @@ Problem corridor(const CorridorOptions& options, Rng& rng);
 /// the right (even number of bends) or at the top (odd).
 struct BendOptions {
     ChainOptions chain;
-    /// A bend against the chain's own sense has to be passed as a whole, hence the roomier default.
-    PassageHeight height{4.0, std::nullopt};
+    /// One bend can be passed at little more than the least height. Bends to either side one after
+    /// the other cannot, since a chain turns one way only: below about 2.5 no path is known.
+    PassageHeight height{3.0, std::nullopt};
     std::size_t bends = 2;  ///< 1 to 8
     double leg = 0.15;      ///< least length of an upright leg, 0.02 to 0.35
     double room = 0.28;     ///< width of the two rooms, 0.1 to 0.4

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "asv/core/problem.hpp"
+
+namespace asv::core {
+
+/// Why a problem has no solution.
+enum class Infeasibility {
+    none,  ///< nothing found: most often there is a solution
+    /// The chain cannot enclose the area that is required, whatever its shape.
+    no_area,
+    /// Start and goal turn in opposite directions: on the way the area would have to be zero.
+    opposite_orientation,
+    /// An ASV's start and goal are in different components of the free space.
+    separated,
+    /// Likewise, but for gaps of two tolerances between obstacles that touch, through which a chain
+    /// of this length might squeeze. No path exists that meets the requirements with tolerance 0,
+    /// nor one that a planner could find; the validator might still accept one.
+    separated_by_touching_obstacles
+};
+
+struct Feasibility {
+    Infeasibility cause = Infeasibility::none;
+    std::optional<std::size_t> asv;  ///< 0-based, where one ASV is the reason
+    std::string reason;              ///< one sentence with 1-based numbers; empty when none
+
+    /// Is it proven that the validator accepts no path, not even one that jumps or squeezes?
+    bool proven_infeasible() const {
+        return cause != Infeasibility::none &&
+               cause != Infeasibility::separated_by_touching_obstacles;
+    }
+};
+
+/// Looks for a proof that the problem has no solution, the cheapest first. Every cause is proven as
+/// its description says, whatever primitive steps a path is made of.
+/// Precondition: start and goal are valid states, except that two ASVs never are, for want of area.
+Feasibility check_feasibility(const Problem& problem);
+
+}  // namespace asv::core
