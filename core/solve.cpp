@@ -7,7 +7,9 @@
 #include <thread>
 
 #include "asv/core/path/cost.hpp"
+#include "asv/core/path/feasibility.hpp"
 #include "asv/core/path/improve.hpp"
+#include "asv/core/path/lower_bound.hpp"
 #include "asv/core/path/motion_cost.hpp"
 #include "asv/core/path/primitive_steps.hpp"
 #include "asv/core/space/broom_world.hpp"
@@ -32,6 +34,9 @@ Clock::time_point after(Clock::time_point begin, double seconds) {
 
 /// Microseconds of work for --optimize 0: shortcuts that take less time than writing what they save.
 constexpr double cheap_work = 2000;
+
+/// Seconds of search after which a proof that there is no path is looked for.
+constexpr double easy = 0.2;
 
 /// What one thread makes of the problem.
 struct Attempt {
@@ -79,13 +84,17 @@ class Solver {
 
     SolveResult run() {
         search();
-        if (!winner_) {
+        if (infeasible_) {
+            result_.status = SolveStatus::infeasible;
+            result_.reason = *infeasible_;
+        } else if (!winner_) {
             result_.status = options_.stop.stop_requested() ? SolveStatus::interrupted
                                                             : SolveStatus::timeout;
             result_.reason = "no path found: " + std::string(name(failure_));
         } else {
             improve_path();
             finish();
+            result_.statistics.cost_lower_bound = cost_lower_bound(given_).total;
         }
         result_.statistics.time_total = seconds_since(options_.started);
         return std::move(result_);
@@ -151,11 +160,20 @@ class Solver {
         statistics.cost_history.emplace_back(statistics.time_to_first, statistics.cost_first);
     }
 
+    /// Reports progress and, once a search turns out not to be easy, looks for a proof that it is in
+    /// vain. The search itself never sees either.
     Observer make_observer() {
-        if (!options_.on_progress) return {};
-        return [this, last = 0.0](const Progress& progress) mutable {
+        return [this, last = 0.0, checked = false](const Progress& progress) mutable {
             const double elapsed = seconds_since(options_.started);
-            if (elapsed - last < 0.1) return;
+            if (!checked && elapsed > easy && options_.time_limit > 10 * easy) {
+                checked = true;
+                const Feasibility proof = check_separation(given_);
+                if (proof.cause != Infeasibility::none) {
+                    infeasible_ = proof.reason;
+                    stop_.request_stop();
+                }
+            }
+            if (!options_.on_progress || elapsed - last < 0.1) return;
             last = elapsed;
             options_.on_progress({progress, std::nullopt, elapsed});
         };
@@ -238,6 +256,7 @@ class Solver {
     std::stop_callback<std::function<void()>> outside_stop_;
     std::mutex mutex_;
     std::optional<std::size_t> winner_;
+    std::optional<std::string> infeasible_;
     Outcome failure_ = Outcome::deadline;
     Rows rows_;
     SolveResult result_;
@@ -257,6 +276,8 @@ std::string_view name(SolveStatus status) {
 
 std::vector<InvalidEnd> invalid_ends(const Problem& problem) {
     std::vector<InvalidEnd> found;
+    // Where no chain has the area, that of start and goal is not what is wrong.
+    if (check_area(problem).cause != Infeasibility::none) return found;
     for (const bool goal : {false, true}) {
         const ValidationReport report =
             validate_state(problem, goal ? problem.goal : problem.start,
@@ -269,9 +290,19 @@ std::vector<InvalidEnd> invalid_ends(const Problem& problem) {
 
 SolveResult solve(const Problem& problem, const SolveOptions& options) {
     require_usable(options.planner);
+    const auto infeasible = [](Feasibility&& proof) {
+        SolveResult result;
+        result.status = SolveStatus::infeasible;
+        result.reason = std::move(proof.reason);
+        return result;
+    };
+    if (auto proof = check_area(problem); proof.cause != Infeasibility::none)
+        return infeasible(std::move(proof));
     if (const auto invalid = invalid_ends(problem); !invalid.empty())
         throw std::invalid_argument(std::string(invalid[0].goal ? "goal" : "start") +
                                     " is not valid: " + invalid[0].reason);
+    if (auto proof = check_orientation(problem); proof.cause != Infeasibility::none)
+        return infeasible(std::move(proof));
     return Solver(problem, options).run();
 }
 

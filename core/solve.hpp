@@ -76,7 +76,7 @@ struct SolveResult {
 };
 
 /// Which end of the problem is not valid and why: which requirement, which ASV, broom or obstacle, by
-/// how much; empty when both are valid.
+/// how much; empty when both are valid, or when no chain of so many ASVs could be.
 std::vector<InvalidEnd> invalid_ends(const Problem& problem);
 
 /// Plans, improves and checks. The same options with one thread and enough time give the same

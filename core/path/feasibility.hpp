@@ -35,6 +35,17 @@ struct Feasibility {
     }
 };
 
+/// Can a chain of so many ASVs enclose the area that is required at all? Start and goal may be
+/// invalid.
+Feasibility check_area(const Problem& problem);
+
+/// Do start and goal turn in one direction? Precondition: both are valid states.
+Feasibility check_orientation(const Problem& problem);
+
+/// Are start and goal of every ASV in one component of the free space? Takes up to a second among
+/// very many obstacles. Precondition: both are valid states.
+Feasibility check_separation(const Problem& problem);
+
 /// Looks for a proof that the problem has no solution, the cheapest first. Every cause is proven as
 /// its description says, whatever primitive steps a path is made of.
 /// Precondition: start and goal are valid states, except that two ASVs never are, for want of area.
