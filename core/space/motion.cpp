@@ -86,9 +86,10 @@ double MotionChecker::prove(std::span<const double> from, std::span<const double
             gaps_.push_back({gap.begin, middle});
             continue;
         }
-        // A stack: the earlier part on top, so that what is left of it is where the line stops.
-        gaps_.push_back({middle + proven.ahead, gap.end});
-        gaps_.push_back({gap.begin, middle - proven.back});
+        // A stack: the earlier part on top, so that what is left of it is where the line stops. A
+        // part that is proven up to the other end leaves no gap, not even one by rounding.
+        if (proven.ahead < gap.end - middle) gaps_.push_back({middle + proven.ahead, gap.end});
+        if (proven.back < middle - gap.begin) gaps_.push_back({gap.begin, middle - proven.back});
     }
     // Proven right up to a state that is invalid by rounding alone.
     return blocked ? std::nextafter(blocked_at, 0.0) : 1;
