@@ -12,6 +12,9 @@ namespace {
 /// room at an obstacle, and no violation of the shape.
 constexpr double rounding = 1e-14;
 
+/// Among many boxes, how far a moment may prove at most, in mean distances of the boxes.
+constexpr double most_spacings = 2;
+
 /// A gap of the line that is shorter than this motion and still open counts as blocked.
 constexpr double finest_motion = 1e-7;
 
@@ -135,30 +138,18 @@ void MotionChecker::begin_line(std::span<const double> from, std::span<const dou
     area_curvature_ = 0.5 * length * length *
                       std::max(0.0, static_cast<double>(brooms) * sum_of_squares - sum * sum);
     closing_curvature_ = length * sum_of_squares;
-    boxes_ = field_.few() ? &field_.all() : &field_.near(swept_region(), near_);
-}
-
-geometry::Box MotionChecker::swept_region() {
-    // An ASV strays from the chord between its two ends by at most |p''| / 8.
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    geometry::Box region{{infinity, infinity}, {-infinity, -infinity}};
-    for (const auto& end : {from_, to_}) {
-        chain_.forward(end, pose_);
-        for (std::size_t j = 0; j < chain_.asv_count(); ++j) {
-            const double stray = 0.125 * acceleration_[j] + rounding;
-            region.low.x = std::min(region.low.x, pose_.x[j] - stray);
-            region.low.y = std::min(region.low.y, pose_.y[j] - stray);
-            region.high.x = std::max(region.high.x, pose_.x[j] + stray);
-            region.high.y = std::max(region.high.y, pose_.y[j] + stray);
-        }
-    }
-    return region;
 }
 
 MotionChecker::Reach MotionChecker::reach(double t, double back, double ahead) {
     ++state_checks_;
     constexpr Reach invalid{-1, -1};
     move_along(t);
+    if (!field_.few()) {
+        // Among many boxes, only those near by are looked at, so only near by can be proven.
+        const double near = most_spacings * field_.spacing() / std::max(speed_bound_, 1e-300);
+        back = std::min(back, near);
+        ahead = std::min(ahead, near);
+    }
     Reach result{back, ahead};
     for (std::size_t i = 0; i < chain_.turn_count(); ++i) {
         const double turn = row_[3 + i], rate = step_[3 + i];
@@ -247,40 +238,60 @@ bool MotionChecker::bounds_reach(Reach& reach) const {
 }
 
 bool MotionChecker::obstacle_reach(Reach& reach) const {
-    const NearBoxes& boxes = *boxes_;
     const std::size_t pieces = std::max<std::size_t>(chain_.broom_count(), 1);
-    for (std::size_t k = 0; k < pieces; ++k) {
-        const std::size_t other = chain_.broom_count() == 0 ? k : k + 1;
-        const double x0 = std::min(pose_.x[k], pose_.x[other]),
-                     x1 = std::max(pose_.x[k], pose_.x[other]);
-        const double y0 = std::min(pose_.y[k], pose_.y[other]),
-                     y1 = std::max(pose_.y[k], pose_.y[other]);
-        const double nx = chain_.broom_count() == 0 ? 0 : -pose_.uy[k];
-        const double ny = chain_.broom_count() == 0 ? 0 : pose_.ux[k];
-        const double offset = nx * pose_.x[k] + ny * pose_.y[k];
-        const double speed = std::sqrt(std::max(
-            velocity_x_[k] * velocity_x_[k] + velocity_y_[k] * velocity_y_[k],
-            velocity_x_[other] * velocity_x_[other] + velocity_y_[other] * velocity_y_[other]));
-        const double acceleration = std::max(acceleration_[k], acceleration_[other]);
-        const double farther = std::max(reach.back, reach.ahead);
-        const double needed = (speed + 0.5 * acceleration * farther) * farther + rounding;
-        for (std::size_t b = 0; b < boxes.size(); ++b) {
-            const double lx = boxes.low_x[b], ly = boxes.low_y[b];
-            const double hx = boxes.high_x[b], hy = boxes.high_y[b];
-            const double along_x = std::max(lx - x1, x0 - hx);
-            const double along_y = std::max(ly - y1, y0 - hy);
-            const double middle = 0.5 * (nx * (lx + hx) + ny * (ly + hy)) - offset;
-            const double half = 0.5 * (std::abs(nx) * (hx - lx) + std::abs(ny) * (hy - ly));
-            const double gap = std::max(std::max(along_x, along_y), std::abs(middle) - half);
-            if (gap <= needed && !broom_reach(k, b, reach)) return false;
-        }
+    for (std::size_t k = 0; k < pieces; ++k)
+        if (!(field_.few() ? scan_boxes(k, reach) : search_boxes(k, reach))) return false;
+    return true;
+}
+
+/// How far the broom may come within the reach, plus what rounding takes.
+double MotionChecker::farthest_motion(std::size_t k, const Reach& reach) const {
+    const std::size_t other = chain_.broom_count() == 0 ? k : k + 1;
+    const double speed = std::sqrt(std::max(
+        velocity_x_[k] * velocity_x_[k] + velocity_y_[k] * velocity_y_[k],
+        velocity_x_[other] * velocity_x_[other] + velocity_y_[other] * velocity_y_[other]));
+    const double acceleration = std::max(acceleration_[k], acceleration_[other]);
+    const double farther = std::max(reach.back, reach.ahead);
+    return (speed + 0.5 * acceleration * farther) * farther + rounding;
+}
+
+bool MotionChecker::search_boxes(std::size_t k, Reach& reach) const {
+    const std::size_t other = chain_.broom_count() == 0 ? k : k + 1;
+    const geometry::Segment broom{{pose_.x[k], pose_.y[k]}, {pose_.x[other], pose_.y[other]}};
+    bool valid = true;
+    field_.visit_within(broom, farthest_motion(k, reach), [&](const geometry::Box& box) {
+        valid = valid && broom_reach(k, box, reach);
+    });
+    return valid;
+}
+
+/// All boxes against one broom, by the gap along the axis that separates them most.
+bool MotionChecker::scan_boxes(std::size_t k, Reach& reach) const {
+    const NearBoxes& boxes = field_.all();
+    const bool point = chain_.broom_count() == 0;
+    const std::size_t other = point ? k : k + 1;
+    const double x0 = std::min(pose_.x[k], pose_.x[other]),
+                 x1 = std::max(pose_.x[k], pose_.x[other]);
+    const double y0 = std::min(pose_.y[k], pose_.y[other]),
+                 y1 = std::max(pose_.y[k], pose_.y[other]);
+    const double nx = point ? 0 : -pose_.uy[k], ny = point ? 0 : pose_.ux[k];
+    const double offset = nx * pose_.x[k] + ny * pose_.y[k];
+    const double needed = farthest_motion(k, reach);
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+        const double lx = boxes.low_x[b], ly = boxes.low_y[b];
+        const double hx = boxes.high_x[b], hy = boxes.high_y[b];
+        const double along_x = std::max(lx - x1, x0 - hx);
+        const double along_y = std::max(ly - y1, y0 - hy);
+        const double middle = 0.5 * (nx * (lx + hx) + ny * (ly + hy)) - offset;
+        const double half = 0.5 * (std::abs(nx) * (hx - lx) + std::abs(ny) * (hy - ly));
+        const double gap = std::max(std::max(along_x, along_y), std::abs(middle) - half);
+        if (gap <= needed && !broom_reach(k, boxes[b], reach)) return false;
     }
     return true;
 }
 
-bool MotionChecker::broom_reach(std::size_t k, std::size_t b, Reach& reach) const {
+bool MotionChecker::broom_reach(std::size_t k, const geometry::Box& box, Reach& reach) const {
     const std::size_t other = chain_.broom_count() == 0 ? k : k + 1;
-    const geometry::Box box = (*boxes_)[b];
     const double acceleration = std::max(acceleration_[k], acceleration_[other]);
     double back = -1, ahead = -1;
     // Along a fixed axis (ax, ay) both ends of the broom and the support of the box have to stay

@@ -61,8 +61,10 @@ class MotionChecker {
     bool shape_reach(Reach& reach) const;
     bool bounds_reach(Reach& reach) const;
     bool obstacle_reach(Reach& reach) const;
-    bool broom_reach(std::size_t broom, std::size_t box, Reach& reach) const;
-    geometry::Box swept_region();
+    bool scan_boxes(std::size_t broom, Reach& reach) const;
+    bool search_boxes(std::size_t broom, Reach& reach) const;
+    double farthest_motion(std::size_t broom, const Reach& reach) const;
+    bool broom_reach(std::size_t broom, const geometry::Box& box, Reach& reach) const;
 
     const Chain& chain_;
     const ChainConstraints& constraints_;
@@ -76,8 +78,6 @@ class MotionChecker {
     double turn_curvature_first_ = 0, turn_curvature_last_ = 0, area_curvature_ = 0,
            closing_curvature_ = 0;
     Pose pose_;
-    const NearBoxes* boxes_ = nullptr;
-    NearBoxes near_;
     std::vector<Gap> gaps_;
     std::uint64_t state_checks_ = 0, motion_checks_ = 0;
 };

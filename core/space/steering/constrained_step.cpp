@@ -180,17 +180,17 @@ void ConstrainedStep::closing_gradient() {
 
 void ConstrainedStep::near_boxes(double step_length, double margin) {
     const double reach = fastest_share * step_length + margin;
-    const auto [x0, x1] = std::minmax_element(pose_.x.begin(), pose_.x.end());
-    const auto [y0, y1] = std::minmax_element(pose_.y.begin(), pose_.y.end());
-    const geometry::Box region = geometry::grown({{*x0, *y0}, {*x1, *y1}}, reach);
-    const NearBoxes& boxes = field_.few() ? field_.all() : field_.near(region, boxes_);
     const std::size_t pieces = std::max<std::size_t>(chain_.broom_count(), 1);
-    for (std::size_t b = 0; b < boxes.size(); ++b) {
-        const geometry::Box box = boxes[b];
-        if (box.low.x > region.high.x || box.high.x < region.low.x || box.low.y > region.high.y ||
-            box.high.y < region.low.y)
-            continue;
-        for (std::size_t k = 0; k < pieces; ++k) near_box(k, box, step_length, margin);
+    for (std::size_t k = 0; k < pieces; ++k) {
+        const std::size_t other = chain_.broom_count() == 0 ? k : k + 1;
+        const auto consider = [&](const geometry::Box& box) {
+            near_box(k, box, step_length, margin);
+        };
+        if (field_.few())
+            for (std::size_t b = 0; b < field_.all().size(); ++b) consider(field_.all()[b]);
+        else
+            field_.visit_within({{pose_.x[k], pose_.y[k]}, {pose_.x[other], pose_.y[other]}}, reach,
+                                consider);
     }
 }
 

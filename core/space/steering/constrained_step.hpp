@@ -75,7 +75,6 @@ class ConstrainedStep {
     const Metric& metric_;
     std::vector<double> row_, next_;
     Pose pose_, next_pose_;
-    NearBoxes boxes_;
     std::vector<double> heading_gradient_;
     std::vector<Near> near_;  ///< one for each row of the program; springs come behind them
     DualActiveSet program_;

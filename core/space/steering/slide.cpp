@@ -23,6 +23,8 @@ SlideSteering::SlideSteering(MotionChecker& checker, const Metric& metric,
       options_(options),
       constrained_(checker.chain(), checker.constraints(), checker.field(), metric) {
     for (auto* array : {&row_, &next_, &wish_}) array->resize(metric.dimension());
+    // In a crowd, a longer step would only meet more boxes than it can heed.
+    options_.step = std::min(options_.step, 2 * checker.field().spacing());
 }
 
 Steered SlideSteering::slide(std::span<const double> from, std::span<const double> target,
