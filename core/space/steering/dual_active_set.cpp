@@ -122,8 +122,7 @@ bool DualActiveSet::activate(std::size_t row) {
     while (true) {
         const double square = prepare_direction(row);
         const bool spanned = square <= dependent * gram_[row * count + row];
-        double length =
-            spanned ? std::numeric_limits<double>::infinity() : missing_[row] / square;
+        double length = spanned ? std::numeric_limits<double>::infinity() : missing_[row] / square;
         std::size_t leaving = active_.size();
         for (std::size_t i = 0; i < active_.size(); ++i) {
             if (compliances_[active_[i]] > 0 || direction_[i] <= 0) continue;
@@ -145,8 +144,7 @@ bool DualActiveSet::activate(std::size_t row) {
             multipliers_[active_[i]] -= length * direction_[i];
         if (leaving == active_.size()) {
             const std::size_t position = active_.size();
-            for (std::size_t k = 0; k < position; ++k)
-                factor_[position * count + k] = forward_[k];
+            for (std::size_t k = 0; k < position; ++k) factor_[position * count + k] = forward_[k];
             factor_[position * count + position] = std::sqrt(square);
             active_.push_back(row);
             return true;

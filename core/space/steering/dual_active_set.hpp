@@ -49,11 +49,11 @@ class DualActiveSet {
     std::size_t dimension_;
     std::vector<double> rows_;  ///< size() x dimension
     std::vector<double> limits_, compliances_;
-    std::vector<double> gram_;  ///< size() x size(), compliances on the diagonal
-    std::vector<double> missing_;     ///< what each row lacks at the current point
+    std::vector<double> gram_;     ///< size() x size(), compliances on the diagonal
+    std::vector<double> missing_;  ///< what each row lacks at the current point
     std::vector<double> multipliers_;
     std::vector<std::size_t> active_;
-    std::vector<double> factor_;      ///< lower Cholesky factor of the active Gram matrix
+    std::vector<double> factor_;  ///< lower Cholesky factor of the active Gram matrix
     std::vector<double> forward_, direction_;
     std::vector<double> step_;
     bool pushed_ = false;
