@@ -11,7 +11,10 @@ RunFacts parse_run_facts(std::string_view text, const std::string& name) {
     RunFacts facts;
     if (document.has(Pointer("/planner"))) facts.planner = document.text(Pointer("/planner"));
     const Pointer bound("/cost_lower_bound");
-    if (document.has(bound) && !document.is_null(bound)) facts.lower_bound = document.number(bound);
+    if (document.has(bound) && !document.is_null(bound)) {
+        const double value = document.number(bound);
+        if (value > 0) facts.lower_bound = value;
+    }
     return facts;
 }
 
