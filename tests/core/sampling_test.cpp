@@ -37,23 +37,6 @@ struct Field {
 
 const std::vector<Box> middle{{{0.45, 0.45}, {0.55, 0.55}}};
 
-TEST(ShapeSampler, SamplesAreValid) {
-    for (const std::size_t n : {1U, 3U, 4U, 7U, 15U, 25U}) {
-        SCOPED_TRACE(std::to_string(n) + " ASVs");
-        Field field(n, n < 25 ? middle : std::vector<Box>{}, Anchor::centroid);
-        ShapeSampler sampler(field.checker);
-        std::size_t found = 0;
-        for_seeds(100, [&](Rng& rng) {
-            Row row(field.world.chain.dimension());
-            if (!sampler.sample(rng, row)) return;
-            ++found;
-            ASSERT_GE(field.oracle.room(row), 0);
-            ASSERT_TRUE(field.oracle.judged_valid(row));
-        });
-        EXPECT_GE(found, 90U);
-    }
-}
-
 TEST(ShapeSampler, SamplesSpreadOverPlacesHeadingsAndShapes) {
     Field field(7, middle, Anchor::centroid);
     ShapeSampler sampler(field.checker);
@@ -174,23 +157,6 @@ TEST(Corridors, WideGapsAndOverlapsAreNone) {
     EXPECT_FALSE(Corridors(far, unit, 0.21).gaps().empty());
     const std::vector<Box> overlapping{{{0.3, 0.3}, {0.6, 0.6}}, {{0.5, 0.5}, {0.7, 0.7}}};
     EXPECT_TRUE(Corridors(overlapping, unit, 0.1).gaps().empty());
-}
-
-TEST(PassagePoints, LieInTheDoor) {
-    const std::vector<Box> boxes{{{0.45, -1}, {0.55, 0.45}}, {{0.45, 0.55}, {0.55, 2}}};
-    const ObstacleField field(boxes);
-    const Box door{{0.45, 0.45}, {0.55, 0.55}};
-    std::size_t found = 0, in_door = 0;
-    for_seeds(500, [&](Rng& rng) {
-        const auto point = passage_point(field, unit, rng);
-        if (!point) return;
-        ++found;
-        ASSERT_FALSE(field.contains(*point));
-        ASSERT_TRUE(geometry::contains(unit, *point));
-        in_door += geometry::contains(door, *point);
-    });
-    EXPECT_GE(found, 250U);
-    EXPECT_GE(in_door, found * 9 / 10);
 }
 
 TEST(PassagePoints, AnOpenFieldHasNone) {
