@@ -105,17 +105,40 @@ fs::path temporary_beside(const fs::path& target) {
     return target.parent_path() / (name + ".tmp");
 }
 
-/// shown is the name that the user gave, target what it resolves to, old what is there already.
-void replace(const fs::path& shown, const fs::path& target, std::string_view content,
-             const struct stat* old) {
-    const fs::path temporary = temporary_beside(target);
+/// Where the content of a file is to go.
+struct Destination {
+    fs::path target;     ///< with symbolic links followed
+    bool direct = true;  ///< written as it is, not replaced
+    std::optional<mode_t> old_permissions;
+};
+
+/// Throws WriteError when the file is a directory or a file that may not be written.
+Destination locate(const fs::path& file) {
+    struct stat status {};
+    const bool exists = ::stat(file.c_str(), &status) == 0;
+    if (!exists && errno != ENOENT) fail<WriteError>(file, errno);
+    if (exists && S_ISDIR(status.st_mode)) fail<WriteError>(file, EISDIR);
+    if (!exists && !file.has_filename()) fail<WriteError>(file, ENOENT);
+    // A rename would replace even a file that its owner has protected.
+    if (exists && ::access(file.c_str(), W_OK) != 0) fail<WriteError>(file, errno);
+    const std::optional<fs::path> target = resolve_links(file);
+    if (!target || (exists && !S_ISREG(status.st_mode))) return {file, true, std::nullopt};
+    if (!exists) return {*target, false, std::nullopt};
+    return {*target, false, status.st_mode & 0777U};
+}
+
+/// shown is the name that the user gave.
+void replace(const fs::path& shown, const Destination& destination, std::string_view content) {
+    const fs::path temporary = temporary_beside(destination.target);
     Descriptor output(temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC);
     if (!output.is_open()) fail<WriteError>(shown, errno);
     TemporaryName guard(temporary);
     // Best effort: some file systems know no permissions.
-    if (old != nullptr) static_cast<void>(::fchmod(output.number(), old->st_mode & 0777U));
+    if (destination.old_permissions) {
+        static_cast<void>(::fchmod(output.number(), *destination.old_permissions));
+    }
     if (!write_all(output.number(), content) || !output.close() ||
-        ::rename(temporary.c_str(), target.c_str()) != 0) {
+        ::rename(temporary.c_str(), destination.target.c_str()) != 0) {
         fail<WriteError>(shown, errno);
     }
     guard.keep();
@@ -123,7 +146,7 @@ void replace(const fs::path& shown, const fs::path& target, std::string_view con
 
 }  // namespace
 
-std::string read_file(const fs::path& file) {
+std::string read_file(const fs::path& file, std::size_t limit) {
     const Descriptor input(file, O_RDONLY | O_CLOEXEC | O_NOCTTY);
     struct stat status {};
     if (!input.is_open() || ::fstat(input.number(), &status) != 0) fail<ReadError>(file, errno);
@@ -131,11 +154,11 @@ std::string read_file(const fs::path& file) {
     // One byte more than a regular file has, so that its end is seen without growing the buffer.
     const std::size_t known =
         S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
-    std::string content(std::clamp(known + 1, block, largest_file + 1), '\0');
+    std::string content(std::clamp(known, block, std::max(block, limit)) + 1, '\0');
     std::size_t size = 0;
     while (true) {
-        if (size > largest_file) fail<ReadError>(file, EFBIG);
-        if (size == content.size()) content.resize(std::min(2 * size, largest_file + 1));
+        if (size > limit) fail<ReadError>(file, EFBIG);
+        if (size == content.size()) content.resize(std::min(2 * size, limit + 1));
         const ssize_t got = ::read(input.number(), content.data() + size, content.size() - size);
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) fail<ReadError>(file, errno);
@@ -147,28 +170,21 @@ std::string read_file(const fs::path& file) {
 }
 
 void write_file(const fs::path& file, std::string_view content) {
-    struct stat status {};
-    const bool exists = ::stat(file.c_str(), &status) == 0;
-    if (!exists && errno != ENOENT) fail<WriteError>(file, errno);
-    if (exists && S_ISDIR(status.st_mode)) fail<WriteError>(file, EISDIR);
-    const std::optional<fs::path> target = resolve_links(file);
-    if (!target || (exists && !S_ISREG(status.st_mode))) {
+    const Destination destination = locate(file);
+    if (destination.direct) {
         write_directly(file, content);
-        return;
+    } else {
+        replace(file, destination, content);
     }
-    // A rename would replace even a file that its owner has protected.
-    if (exists && ::access(target->c_str(), W_OK) != 0) fail<WriteError>(file, errno);
-    replace(file, *target, content, exists ? &status : nullptr);
 }
 
 void require_writable(const fs::path& file) {
-    std::error_code error;
-    const fs::path folder = file.parent_path().empty() ? fs::path(".") : file.parent_path();
-    if (fs::is_directory(file, error)) fail<WriteError>(file, EISDIR);
-    const bool exists = ::access(file.c_str(), F_OK) == 0;
-    const fs::path& needed = exists ? file : folder;
-    if (::access(needed.c_str(), W_OK) != 0) fail<WriteError>(file, errno);
-    if (!exists && !fs::is_directory(folder, error)) fail<WriteError>(file, ENOTDIR);
+    const Destination destination = locate(file);
+    if (destination.direct) return;
+    const fs::path folder = destination.target.parent_path();
+    if (::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0) {
+        fail<WriteError>(file, errno);
+    }
 }
 
 }  // namespace asv::io

@@ -1,17 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace asv::io {
 
-/// Files beyond this size, and endless devices, are refused.
+/// Files beyond this size, and with them endless devices, are refused.
 inline constexpr std::size_t largest_file = std::size_t{1} << 30U;
 
 /// The whole file as bytes; pipes and devices are read to their end. Throws ReadError (missing, a
-/// directory, not readable, larger than largest_file).
-std::string read_file(const std::filesystem::path& file);
+/// directory, not readable, more than limit bytes).
+std::string read_file(const std::filesystem::path& file, std::size_t limit = largest_file);
 
 /// Puts content into a temporary file beside the target, then renames it: the target is either
 /// what it was or whole. A new file has the permissions that the umask leaves, an old one keeps

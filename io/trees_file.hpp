@@ -32,7 +32,7 @@ struct SearchTrees {
 
 /// Reads {"version": 1, "planner", "asv_count", "trees": [{"root", "points", "parents"}], "edges"}.
 /// "edges" may be absent, and so may "parents" (then every node is a root). Throws ParseError,
-/// which names the place by line, column and JSON path (trees[0].parents[3]), or FileError.
+/// which names the place by line, column and JSON path (trees[0].parents[3]), or ReadError.
 SearchTrees read_trees(const std::filesystem::path& file);
 
 /// The same from text; name stands for the file in messages.
@@ -42,7 +42,7 @@ SearchTrees parse_trees(std::string_view text, const std::string& name);
 /// Precondition: all coordinates finite.
 std::string format_trees(const SearchTrees& trees);
 
-/// Writes the file, whole or not at all. Throws FileError.
+/// Writes the file, whole or not at all. Throws WriteError.
 void write_trees(const std::filesystem::path& file, const SearchTrees& trees);
 
 }  // namespace asv::io

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
 
 namespace asv::core {
 
@@ -69,42 +68,16 @@ class CellGrid {
     std::vector<bool> solid_;
 };
 
-/// For every maximal run of solid cells in a line, the box that grows from it across the lines as
-/// far as it stays solid. solid(along, across) says whether a cell is; emit takes the four indices.
-template <class Solid, class Emit>
-void grow_runs(std::size_t length, std::size_t lines, Solid&& solid, Emit&& emit) {
-    for (std::size_t line = 0; line < lines; ++line) {
-        std::size_t first = 0;
-        while (first < length) {
-            if (!solid(first, line)) {
-                ++first;
-                continue;
-            }
-            std::size_t last = first;
-            while (last + 1 < length && solid(last + 1, line)) ++last;
-            const auto whole_run = [&](std::size_t other) {
-                for (std::size_t i = first; i <= last; ++i) {
-                    if (!solid(i, other)) return false;
-                }
-                return true;
-            };
-            std::size_t low = line;
-            std::size_t high = line;
-            while (low > 0 && whole_run(low - 1)) --low;
-            while (high + 1 < lines && whole_run(high + 1)) ++high;
-            emit(first, last, low, high);
-            first = last + 1;
-        }
+/// Calls emit(first, last) for every maximal run of true values.
+template <class Emit>
+void for_each_run(const std::vector<bool>& values, Emit&& emit) {
+    std::size_t first = 0;
+    while (first < values.size()) {
+        std::size_t last = first;
+        while (last < values.size() && values[last]) ++last;
+        if (last > first) emit(first, last - 1);
+        first = last + 1;
     }
-}
-
-auto key(const Box& box) {
-    return std::tie(box.low.x, box.low.y, box.high.x, box.high.y);
-}
-
-bool contains(const Box& outer, const Box& inner) {
-    return outer.low.x <= inner.low.x && outer.low.y <= inner.low.y &&
-           outer.high.x >= inner.high.x && outer.high.y >= inner.high.y;
 }
 
 }  // namespace
@@ -113,22 +86,26 @@ std::vector<Box> carve(const Box& solid, std::span<const Box> passages) {
     std::vector<Box> cuts;
     for (const Box& passage : passages) cuts.push_back(rounded(passage));
     const CellGrid grid(rounded(solid), cuts);
+    const auto solid_run = [&](std::size_t first, std::size_t last, std::size_t row) {
+        for (std::size_t column = first; column <= last; ++column) {
+            if (!grid.solid(column, row)) return false;
+        }
+        return true;
+    };
     std::vector<Box> boxes;
-    grow_runs(
-        grid.columns(), grid.rows(), [&](auto x, auto y) { return grid.solid(x, y); },
-        [&](auto x0, auto x1, auto y0, auto y1) { boxes.push_back(grid.box(x0, y0, x1, y1)); });
-    grow_runs(
-        grid.rows(), grid.columns(), [&](auto y, auto x) { return grid.solid(x, y); },
-        [&](auto y0, auto y1, auto x0, auto x1) { boxes.push_back(grid.box(x0, y0, x1, y1)); });
-    std::sort(boxes.begin(), boxes.end(),
-              [](const Box& a, const Box& b) { return key(a) < key(b); });
-    boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
-    const std::vector<Box> all = boxes;
-    std::erase_if(boxes, [&](const Box& box) {
-        return std::any_of(all.begin(), all.end(), [&](const Box& other) {
-            return !(other == box) && contains(other, box);
-        });
-    });
+    for (std::size_t low = 0; low < grid.rows(); ++low) {
+        // Columns that are solid from row low up to row high.
+        std::vector<bool> open(grid.columns(), true);
+        for (std::size_t high = low; high < grid.rows(); ++high) {
+            for (std::size_t column = 0; column < grid.columns(); ++column)
+                open[column] = open[column] && grid.solid(column, high);
+            for_each_run(open, [&](std::size_t first, std::size_t last) {
+                const bool grows = (low > 0 && solid_run(first, last, low - 1)) ||
+                                   (high + 1 < grid.rows() && solid_run(first, last, high + 1));
+                if (!grows) boxes.push_back(grid.box(first, low, last, high));
+            });
+        }
+    }
     return boxes;
 }
 

@@ -62,10 +62,12 @@ Problem corridor(const CorridorOptions& options, Rng& rng) {
     Problem problem;
     const double half_height =
         options.height.value(options.chain.asv_count, problem.requirements) / 2;
-    const double chain_length =
-        problem.requirements.broom_length * static_cast<double>(options.chain.asv_count - 1);
+    const std::size_t n = options.chain.asv_count;
+    const double chain_length = problem.requirements.broom_length * static_cast<double>(n - 1);
+    const double hooked =
+        std::clamp(1 - 2.15 * round_diameter(n, problem.requirements), 0.1, 1.0 / 3.0);
     const double length =
-        options.length.value_or(1.05 * chain_length <= 0.5 ? 1.05 * chain_length : 1.0 / 3.0);
+        options.length.value_or(1.05 * chain_length <= 0.5 ? 1.05 * chain_length : hooked);
     require_range("length", length, 0.01, 0.8);
     if (options.level) require_range("level", *options.level, 0.1, 0.9);
     const double level = options.level.value_or(rng.uniform(0.3, 0.7));
@@ -121,10 +123,11 @@ Problem gauntlet(const GauntletOptions& options, Rng& rng) {
     require_range("walls", options.walls, 1u, 6u);
     require_range("thickness", options.thickness, 0.005, 0.5);
     require_range("least-offset", options.least_offset, 0.0, 0.35);
-    const double room = options.room.value_or(
-        std::clamp(1.25 * round_diameter(n, problem.requirements), 0.2, 0.34));
-    require_range("room", room, 0.02, 0.48);
     const auto walls = static_cast<double>(options.walls);
+    const double room = options.room.value_or(
+        std::min(std::clamp(1.25 * round_diameter(n, problem.requirements), 0.2, 0.34),
+                 (1 - walls * options.thickness - (walls - 1) * 0.1) / 2));
+    require_range("walls, thickness and room", room, 0.02, 0.48);
     const double between = options.walls == 1
                                ? 1 - 2 * room
                                : (1 - 2 * room - walls * options.thickness) / (walls - 1);

@@ -38,7 +38,8 @@ struct CorridorOptions {
     ChainOptions chain;
     PassageHeight height;
     /// 0.01 to 0.8. By default 1.05 times the length of the chain where that leaves two rooms (up
-    /// to 0.5), else 1/3: then the chain hangs out of both mouths.
+    /// to 0.5); else at most 1/3 and so short that the round chain fits into both rooms: then the
+    /// chain hangs out of both mouths.
     std::optional<double> length;
     std::optional<double> level;  ///< y of the corridor's axis, 0.1 to 0.9; drawn by default
 };
@@ -48,7 +49,9 @@ Problem corridor(const CorridorOptions& options, Rng& rng);
 /// the right (even number of bends) or at the top (odd).
 struct BendOptions {
     ChainOptions chain;
-    PassageHeight height{2.0, std::nullopt};
+    /// One bend can be passed at little more than the least height. Bends to either side one after
+    /// the other cannot, since a chain turns one way only: below about 2.5 no path is known.
+    PassageHeight height{3.0, std::nullopt};
     std::size_t bends = 2;  ///< 1 to 8
     double leg = 0.15;      ///< least length of an upright leg, 0.02 to 0.35
     double room = 0.28;     ///< width of the two rooms, 0.1 to 0.4
@@ -59,11 +62,12 @@ Problem bend(const BendOptions& options, Rng& rng);
 struct GauntletOptions {
     ChainOptions chain;
     PassageHeight height;
-    std::size_t walls = 2;       ///< 1 to 6
-    double thickness = 0.1;      ///< of each wall, 0.005 to 0.5
-    double least_offset = 0.2;   ///< between the axes of neighbouring corridors, 0 to 0.35
-    std::optional<double> room;  ///< width of the first and last room; 1.25 times round_diameter,
-                                 ///< at least 0.2 and at most 0.34, by default
+    std::size_t walls = 2;      ///< 1 to 6
+    double thickness = 0.1;     ///< of each wall, 0.005 to 0.5
+    double least_offset = 0.2;  ///< between the axes of neighbouring corridors, 0 to 0.35
+    /// Width of the first and last room, 0.02 to 0.48. By default 1.25 times round_diameter, at
+    /// least 0.2, at most 0.34 and what leaves 0.1 between the walls.
+    std::optional<double> room;
 };
 Problem gauntlet(const GauntletOptions& options, Rng& rng);
 

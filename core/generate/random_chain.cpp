@@ -17,7 +17,7 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 // A shape is cheap and most are refused in narrow rooms; places of one shape are more alike.
-constexpr int shapes_tried = 100'000;
+constexpr int shapes_tried = 30'000;
 constexpr int places_tried = 30;
 
 double turn(const Point& a, const Point& b, const Point& c) {
@@ -115,11 +115,11 @@ Box inner_region(const Box& region, const Box& bounds, double clearance) {
 }  // namespace
 
 void check(const ChainOptions& options) {
-    require_range("asv_count", options.asv_count, 3, 200);
+    require_range("asvs", options.asv_count, 3, 200);
     require_range("clearance", options.clearance, 0, 0.1);
-    require_range("area_margin", options.area_margin, 0, 0.2);
-    require_range("least_turn", options.least_turn, 0, 0.01);
-    require_range("least_closing", options.least_closing, 0, 0.05);
+    require_range("area-margin", options.area_margin, 0, 0.2);
+    require_range("least-turn", options.least_turn, 0, 0.01);
+    require_range("least-closing", options.least_closing, 0, 0.05);
 }
 
 std::vector<Point> chain_positions(std::span<const double> turns, double heading,

@@ -1,6 +1,8 @@
 #include "asv/core/validation/box_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace asv::core::validation {
 namespace {
@@ -15,6 +17,30 @@ Box around(const Box& a, const Box& b) {
 }
 
 }  // namespace
+
+Neighbourhood::Neighbourhood(const geometry::Segment& segment)
+    : origin_(segment.a), bounds_(geometry::bounds(segment)) {
+    const double dx = segment.b.x - segment.a.x;
+    const double dy = segment.b.y - segment.a.y;
+    const double length = std::hypot(dx, dy);
+    if (length > 0) normal_ = {-dy / length, dx / length};
+}
+
+bool Neighbourhood::may_reach(const Box& box, double reach) const {
+    if (!geometry::overlap(box, geometry::grown(bounds_, reach))) return false;
+    const double half_width = (box.high.x - box.low.x) / 2;
+    const double half_height = (box.high.y - box.low.y) / 2;
+    const double x = box.low.x + half_width - origin_.x;
+    const double y = box.low.y + half_height - origin_.y;
+    const double away = std::abs(normal_.x * x + normal_.y * y);
+    const double shadow = std::abs(normal_.x) * half_width + std::abs(normal_.y) * half_height;
+    // All terms are sums of few products with a normal of length 1, each wrong by a few half ulps
+    // of the coordinates, of which this is more than ten times as much.
+    const double size = std::abs(box.low.x) + std::abs(box.high.x) + std::abs(box.low.y) +
+                        std::abs(box.high.y) + std::abs(origin_.x) + std::abs(origin_.y);
+    const double slack = 64 * std::numeric_limits<double>::epsilon() * size;
+    return !(away > shadow + reach + slack);
+}
 
 BoxTree::BoxTree(std::span<const Box> boxes) {
     items_.reserve(boxes.size());

@@ -30,7 +30,7 @@ Finding Obstacles::check(State state, double reach) const {
     double near = std::max(reach, 0.0);
     for (std::size_t i = 0; i + 1 < state.size(); ++i) {
         const Segment broom{state[i], state[i + 1]};
-        tree_.for_each_near(geometry::bounds(broom), near, [&](std::size_t index, const Box& box) {
+        tree_.for_each_near(broom, near, [&](std::size_t index, const Box& box) {
             Finding finding = clearance(broom, box);
             finding.offender.broom = i;
             finding.offender.obstacle = index;

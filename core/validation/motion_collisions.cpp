@@ -101,15 +101,17 @@ std::optional<double> first_contact(const MovingBroom& broom, const Box& box) {
 
 Finding check_motion_collisions(const Motion& motion, const Obstacles& obstacles, double reach) {
     Finding worst;
-    double near = std::max(reach, 0.0);
     for (std::size_t i = 0; i + 1 < motion.size(); ++i) {
         const MovingBroom broom{motion[i], motion[i + 1]};
-        const Box swept = around(at(broom, 0), at(broom, 1));
-        obstacles.tree().for_each_near(swept, near, [&](std::size_t index, const Box& box) {
+        // A point of the broom moves as a mean of its ends, so no farther than the farther one.
+        const double moved = 1.000001 * std::max(distance(broom.a.from, broom.a.to),
+                                                 distance(broom.b.from, broom.b.to));
+        double near = std::max(std::min(reach, worst.offender.room), 0.0) + moved;
+        obstacles.tree().for_each_near(at(broom, 0), near, [&](std::size_t index, const Box& box) {
             Finding finding = judge(broom, box);
             finding.offender.broom = i;
             finding.offender.obstacle = index;
-            near = std::clamp(finding.offender.room, 0.0, near);
+            near = std::clamp(finding.offender.room + moved, moved, near);
             keep_worse(worst, finding);
         });
     }

@@ -23,6 +23,8 @@ SlideSteering::SlideSteering(MotionChecker& checker, const Metric& metric,
       options_(options),
       constrained_(checker.chain(), checker.constraints(), checker.field(), metric) {
     for (auto* array : {&row_, &next_, &wish_}) array->resize(metric.dimension());
+    // In a crowd, a longer step would only meet more boxes than it can heed.
+    options_.step = std::min(options_.step, 2 * checker.field().spacing());
 }
 
 Steered SlideSteering::slide(std::span<const double> from, std::span<const double> target,
@@ -104,7 +106,7 @@ Steered SlideSteering::pull(std::span<const double> from, std::size_t asv,
 /// Gives up half-measures: a quarter of the margin, full steps again; false at a hair.
 bool SlideSteering::tighten(Pace& pace) const {
     if (pace.margin <= options_.hair) return false;
-    pace.margin = std::max(options_.hair, 0.2 * pace.margin);
+    pace.margin = std::max(options_.hair, 0.05 * pace.margin);
     pace.step = options_.step;
     return true;
 }
@@ -117,7 +119,8 @@ bool SlideSteering::go_straight(std::span<const double> target, double distance,
     const auto pieces = static_cast<std::size_t>(std::ceil(free * distance / longest_edge));
     const std::vector<double> from(row_);
     for (std::size_t piece = 1; piece <= std::max<std::size_t>(pieces, 1); ++piece) {
-        const double t = free * static_cast<double>(piece) / static_cast<double>(std::max<std::size_t>(pieces, 1));
+        const double t = free * static_cast<double>(piece) /
+                         static_cast<double>(std::max<std::size_t>(pieces, 1));
         for (std::size_t k = 0; k < next_.size(); ++k)
             next_[k] = t >= 1 ? target[k] : from[k] + t * (target[k] - from[k]);
         keep(visited);

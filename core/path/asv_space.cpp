@@ -1,0 +1,38 @@
+#include "asv/core/path/asv_space.hpp"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "asv/core/path/seams.hpp"
+#include "asv/geometry/segment_box.hpp"
+
+namespace asv::core {
+
+namespace {
+
+bool broom_meets(std::span<const Point> state, const Box& box) {
+    for (std::size_t i = 0; i + 1 < state.size(); ++i) {
+        if (geometry::meets({state[i], state[i + 1]}, box)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+geometry::FreeSpace make_asv_space(const Problem& problem, Reading reading) {
+    const Requirements& requirements = problem.requirements;
+    const double e = requirements.tolerance;
+    const double jump = reading == Reading::literal ? requirements.max_step + e : e;
+    const double shrink = e + jump / 2;
+    ShrunkObstacles obstacles = shrink_obstacles(problem, shrink);
+    if (problem.asv_count() < 2) return {{}, obstacles.bounds};
+    for (const Seam& seam : find_seams(problem, shrink)) {
+        if (reading == Reading::literal && !is_impassable(seam, problem)) continue;
+        if (broom_meets(problem.start, seam.gap) || broom_meets(problem.goal, seam.gap)) continue;
+        obstacles.boxes.push_back(seam.gap);
+    }
+    return {obstacles.boxes, obstacles.bounds};
+}
+
+}  // namespace asv::core

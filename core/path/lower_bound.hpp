@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "asv/core/path/asv_space.hpp"
+#include "asv/core/problem.hpp"
+
+namespace asv::core {
+
+/// What every solution costs at least.
+struct CostLowerBound {
+    double total = 0;             ///< of the sum over all ASVs
+    std::vector<double> lengths;  ///< of the way of each ASV; their sum is the total
+};
+
+/// A lower bound of the cost of every path from the start to the goal: the sum of the shortest
+/// paths that each ASV would have on its own in the free space of make_asv_space, less what the
+/// tolerance allows at both ends. Infinity where an ASV's start and goal are not connected in it.
+///
+/// Proven, in each reading, for the true cost of every path that the reading admits; the cost that
+/// a file states may differ from that by the tolerance. In a crowd of very many boxes (where the
+/// search would take more than about a second) the bound is smaller than the sum.
+/// Precondition: start and goal are valid states.
+CostLowerBound cost_lower_bound(const Problem& problem, Reading reading = Reading::intended);
+
+}  // namespace asv::core

@@ -1,0 +1,136 @@
+#include "asv/io/drawing/exhibit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+namespace asv::io {
+
+namespace {
+
+using core::CheckResult;
+
+/// File names may hold any bytes; pictures and pages can show valid UTF-8 without controls only.
+std::string printable(const std::string& text) {
+    using Json = nlohmann::json;
+    const std::string valid =
+        Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
+    std::string result = valid;
+    std::replace_if(
+        result.begin(), result.end(),
+        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
+    return result;
+}
+
+core::ValidationReport judge(const ExhibitInput& input) {
+    if (input.solution) {
+        return core::validate(input.problem, *input.solution, {.list_offenders = true});
+    }
+    core::ValidationReport both = core::validate_state(input.problem, input.problem.start);
+    const core::ValidationReport goal = core::validate_state(input.problem, input.problem.goal);
+    for (CheckResult result : goal.checks) {
+        if (result.worst) result.worst->state = 1;
+        both.checks.push_back(result);
+    }
+    return both;
+}
+
+std::vector<Violation> by_state(const core::ValidationReport& report) {
+    std::vector<Violation> result;
+    for (const CheckResult& check : report.checks) {
+        for (const core::Offender& offender : check.offenders) {
+            result.push_back({check.check, offender});
+        }
+    }
+    std::stable_sort(result.begin(), result.end(), [](const Violation& a, const Violation& b) {
+        return a.offender.state < b.offender.state;
+    });
+    return result;
+}
+
+std::optional<std::size_t> find_tightest(const std::vector<StateMeasures>& measures) {
+    const auto least = std::min_element(
+        measures.begin(), measures.end(), [](const StateMeasures& a, const StateMeasures& b) {
+            return a.clearance && b.clearance && a.clearance->distance < b.clearance->distance;
+        });
+    if (least == measures.end() || !least->clearance) return std::nullopt;
+    return static_cast<std::size_t>(least - measures.begin());
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+    return grouped(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+Exhibit make_exhibit(ExhibitInput input) {
+    Exhibit exhibit;
+    exhibit.report = judge(input);
+    if (input.solution) {
+        exhibit.measures = measure(input.problem, input.solution->path);
+        exhibit.violations = by_state(exhibit.report);
+        exhibit.tightest_state = find_tightest(exhibit.measures);
+    }
+    static_cast<ExhibitInput&>(exhibit) = std::move(input);
+    exhibit.name = printable(exhibit.name);
+    exhibit.planner = printable(exhibit.planner);
+    return exhibit;
+}
+
+std::string grouped(std::size_t number) {
+    std::string digits = std::to_string(number);
+    for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, 1, ',');
+    return digits;
+}
+
+std::string fixed(double number, int digits) {
+    std::array<char, 400> text{};
+    const int length = std::snprintf(text.data(), text.size(), "%.*f", digits, number);
+    return {text.data(), static_cast<std::size_t>(length)};
+}
+
+std::string facts(const Exhibit& exhibit) {
+    const std::string dot = " · ";
+    std::string text = counted(exhibit.problem.asv_count(), "ASV") + dot +
+                       counted(exhibit.problem.obstacles.size(), "obstacle");
+    if (exhibit.solution) text += dot + "cost " + fixed(exhibit.solution->cost, 4);
+    if (exhibit.lower_bound) {
+        text += dot + "lower bound " + fixed(*exhibit.lower_bound, 4);
+        if (exhibit.solution && *exhibit.lower_bound > 0) {
+            text += " (ratio " + fixed(exhibit.solution->cost / *exhibit.lower_bound, 3) + ")";
+        }
+    }
+    if (exhibit.solution) text += dot + counted(exhibit.solution->path.size() - 1, "step");
+    if (!exhibit.planner.empty()) text += dot + exhibit.planner;
+    return text;
+}
+
+std::string verdict(const Exhibit& exhibit) {
+    const auto failed = static_cast<std::size_t>(
+        std::count_if(exhibit.report.checks.begin(), exhibit.report.checks.end(),
+                      [](const CheckResult& result) { return !result.ok(); }));
+    if (!exhibit.solution)
+        return failed == 0 ? "start and goal are valid" : "start or goal is not valid";
+    if (failed == 0) return "valid";
+    return "not valid: " + std::to_string(failed) + " of " +
+           std::to_string(exhibit.report.checks.size()) + " requirements violated";
+}
+
+std::vector<std::string> complaints(const Exhibit& exhibit) {
+    std::vector<std::string> result;
+    for (const CheckResult& check : exhibit.report.checks) {
+        if (check.ok()) continue;
+        std::string text = std::string(core::name(check.check)) + ": " + core::describe(check);
+        if (check.worst && check.check != core::Check::cost) {
+            const std::size_t state = check.worst->state;
+            text += exhibit.solution ? " (step " + grouped(state) + ")"
+                                     : (state == 0 ? " (start)" : " (goal)");
+        }
+        result.push_back(std::move(text));
+    }
+    return result;
+}
+
+}  // namespace asv::io

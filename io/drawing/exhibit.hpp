@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asv/core/path/path.hpp"
+#include "asv/core/problem.hpp"
+#include "asv/core/validate.hpp"
+#include "asv/io/drawing/path_profile.hpp"
+#include "asv/io/trees_file.hpp"
+
+namespace asv::io {
+
+/// One state that violates one requirement, as the validator has it.
+struct Violation {
+    core::Check check = core::Check::ends;
+    core::Offender offender;
+};
+
+/// What there is to see of one problem, as it was given.
+struct ExhibitInput {
+    std::string name;  ///< shown as the title; the problem's file name without its ending
+    core::Problem problem;
+    std::optional<core::Solution> solution = {};
+    std::optional<SearchTrees> trees = {};
+    std::optional<double> lower_bound = {};  ///< of the cost
+    std::string planner = {};                ///< shown when not empty
+};
+
+/// The same with everything measured and judged that a picture or a player tells.
+struct Exhibit : ExhibitInput {
+    core::ValidationReport report;              ///< of the solution; without one, of start and goal
+    std::vector<StateMeasures> measures;        ///< for each state of the solution
+    std::vector<Violation> violations;          ///< of the solution, by state
+    std::optional<std::size_t> tightest_state;  ///< where the clearance is least, the first such
+};
+
+/// Measures and validates. Precondition: a solution has as many ASVs as the problem, and a state.
+Exhibit make_exhibit(ExhibitInput input);
+
+/// "7 ASVs · 7 obstacles · cost 13.2214 · at least 12.0402 (ratio 1.098) · 3,059 steps".
+std::string facts(const Exhibit& exhibit);
+
+/// "valid", "not valid: 2 of 8 requirements violated", or "start and goal are valid".
+std::string verdict(const Exhibit& exhibit);
+
+/// One sentence for each failed check, with the step where it has one.
+std::vector<std::string> complaints(const Exhibit& exhibit);
+
+/// 12345678 as "12,345,678".
+std::string grouped(std::size_t number);
+
+/// A number with so many digits behind the point.
+std::string fixed(double number, int digits);
+
+}  // namespace asv::io

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "asv/io/drawing/canvas.hpp"
+#include "asv/io/drawing/page.hpp"
+#include "asv/io/drawing/palette.hpp"
+#include "asv/io/drawing/scene.hpp"
+
+namespace asv::io {
+
+/// The colour of something that stands between start and goal.
+Colour along_the_way(const Palette& colours, double progress);
+
+/// How wide lines are and how large dots; smaller for more ASVs, larger in the inset.
+struct Pen {
+    double broom = 1.4;
+    double dot = 1.7;
+};
+
+/// Paints obstacles and every line of the scene, without the field's background.
+void paint_scene(Canvas& canvas, const Scene& scene, const Page& page, const Palette& colours);
+
+/// Paints the background with its grid and numbers, the scene, the labels and the border.
+void paint_field(Canvas& canvas, const Scene& scene, const Page& page, const Palette& colours);
+
+/// One chain: its brooms and a dot for each ASV. The points are on the page already.
+void paint_chain(Canvas& canvas, const std::vector<geometry::Point>& points, const Pen& pen,
+                 const Colour& colour);
+
+/// A circle with a cross: where a requirement is violated, also without seeing colours.
+void paint_violation_mark(Canvas& canvas, const geometry::Point& at, const Palette& colours);
+
+}  // namespace asv::io

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "asv/geometry/primitives.hpp"
+
+namespace asv::io {
+
+/// Where things stand on the page of a picture, in points from the upper left.
+struct Page {
+    static constexpr double field_side = 800;  ///< the longer side of the field, always
+    static constexpr double left = 52;         ///< room for the numbers of the axis
+    static constexpr double right = 28;
+    static constexpr double line_height = 22;
+
+    double width = 0;
+    double height = 0;
+    double scale = 1;      ///< points for one workspace unit
+    geometry::Box world;   ///< the field in workspace units
+    geometry::Box field;   ///< the field on the page
+    double strip_top = 0;  ///< of what is below the field
+
+    /// Precondition: world is not empty and has an extent in both coordinates.
+    /// strip_height is what the legend, the plot and the inset below the field need.
+    Page(const geometry::Box& world, std::size_t header_lines, double strip_height);
+
+    geometry::Point at(const geometry::Point& point) const;
+    geometry::Box at(const geometry::Box& box) const;
+    geometry::Segment at(const geometry::Segment& segment) const;
+    std::vector<geometry::Point> at(const std::vector<geometry::Point>& points) const;
+};
+
+}  // namespace asv::io

@@ -1,0 +1,267 @@
+#include "asv/io/drawing/strip_painter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <sstream>
+
+#include "asv/io/drawing/field_painter.hpp"
+
+namespace asv::io {
+
+namespace {
+
+using geometry::Box;
+using geometry::Point;
+using geometry::Segment;
+
+constexpr double legend_line = 24;
+constexpr double swatch = 34;  ///< the drawing of an entry, and a gap
+constexpr double caption_height = 50;
+constexpr double inset_radius = 84;
+constexpr double plot_height = 92;
+constexpr double text_size = 12.5;
+
+/// One entry of the legend: a small drawing, 30 points wide, and words.
+struct Entry {
+    std::string words;
+    std::function<void(Canvas&, const Point&)> draw;  ///< at is the left end of its middle line
+};
+
+void add_line_entry(std::vector<Entry>& entries, std::string words, Stroke stroke, double dot) {
+    entries.push_back(
+        {std::move(words), [stroke, dot](Canvas& canvas, const Point& at) {
+             const std::array<Point, 2> ends{Point{at.x + 3, at.y}, Point{at.x + 27, at.y}};
+             canvas.stroke_line(ends, stroke);
+             if (dot == 0) return;
+             for (const Point& end : ends) {
+                 canvas.fill_circle(end, dot, stroke.colour);
+             }
+         }});
+}
+
+std::vector<Entry> legend(const Scene& scene, const Palette& colours) {
+    std::vector<Entry> entries;
+    const Colour middle = along_the_way(colours, 0.5);
+    add_line_entry(entries, "start (ASV 1 has an eye)", {colours.start, 3}, 4);
+    add_line_entry(entries, "goal", {colours.goal, 3}, 4);
+    if (scene.ghosts > 0) {
+        add_line_entry(entries, "chain on its way, evenly in distance", {middle, 1.5}, 1.8);
+    }
+    const auto has = [&](Role role) {
+        return std::any_of(scene.lines.begin(), scene.lines.end(),
+                           [&](const SceneLine& line) { return line.role == role; });
+    };
+    if (has(Role::path)) add_line_entry(entries, "path of an ASV", {faded(middle, 0.6), 0.9}, 0);
+    if (has(Role::start_closing)) {
+        add_line_entry(entries, "closing side", {faded(middle, 0.75), 1.2, {3, 4}}, 0);
+    }
+    for (const SceneTree& tree : scene.trees) {
+        const bool start = tree.kind == SceneTree::Kind::start;
+        const bool roadmap = tree.kind == SceneTree::Kind::roadmap;
+        const Colour colour = roadmap ? colours.least : start ? colours.start : colours.goal;
+        const std::string words = roadmap ? "roadmap" : start ? "start tree" : "goal tree";
+        add_line_entry(entries, words + " (ASV 1)", {faded(colour, 0.6), 0.9}, 0);
+    }
+    if (scene.least) {
+        entries.push_back(
+            {"least clearance, and where it is tight", [&](Canvas& canvas, const Point& at) {
+                 const Point centre{at.x + 15, at.y};
+                 canvas.fill_circle(centre, 4, faded(colours.least, 0.5));
+                 canvas.stroke_circle(centre, 8, {colours.least, 2.2});
+             }});
+    }
+    if (!scene.violations.empty()) {
+        entries.push_back({"violated requirement", [&](Canvas& canvas, const Point& at) {
+                               paint_violation_mark(canvas, {at.x + 15, at.y}, colours);
+                           }});
+    }
+    return entries;
+}
+
+/// The left end of each entry, set line by line from the origin, and the height of all lines.
+struct LegendLayout {
+    std::vector<Point> places;
+    double height = 0;
+};
+
+LegendLayout lay_out(Canvas& canvas, const std::vector<Entry>& entries, double width) {
+    LegendLayout layout;
+    Point at{0, 0};
+    for (const Entry& entry : entries) {
+        const double needed = swatch + canvas.text_width(entry.words, {{}, text_size});
+        if (at.x > 0 && at.x + needed > width) at = {0, at.y + legend_line};
+        layout.places.push_back(at);
+        at.x += needed + 20;
+    }
+    layout.height = at.y + legend_line;
+    return layout;
+}
+
+void paint_legend(Canvas& canvas, const std::vector<Entry>& entries, const Point& corner,
+                  double width, const Palette& colours) {
+    const LegendLayout layout = lay_out(canvas, entries, width);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const Point at{corner.x + layout.places[i].x, corner.y + layout.places[i].y};
+        entries[i].draw(canvas, at);
+        canvas.text({at.x + swatch, at.y + 4.5}, entries[i].words, {colours.ink, text_size});
+    }
+}
+
+/// The legend leaves room for the inset where there is one.
+double legend_width(const Scene& scene) {
+    return Page::field_side - (scene.least ? 2 * inset_radius + 24 : 0);
+}
+
+/// Clearances stretch over orders of magnitude, and the small ones matter: a root scale.
+double root_scale(double value, double most) {
+    return std::sqrt(value / most);
+}
+
+/// 0 and the numbers 1, 2, 5 times powers of ten up to most that stand apart on a root scale.
+std::vector<double> round_numbers(double most, double height) {
+    constexpr double apart = 20;
+    std::vector<double> result;
+    double last = height + apart;
+    for (double power = std::pow(10, std::ceil(std::log10(most))); power > most * 1e-4;
+         power /= 10) {
+        for (const double value : {power, power / 2, power / 5}) {
+            const double y = root_scale(value, most) * height;
+            if (value > most || y > last - apart || y < apart) continue;
+            result.push_back(value);
+            last = y;
+        }
+    }
+    result.push_back(0);
+    return result;
+}
+
+std::string shortest(double value) {
+    std::ostringstream out;
+    out << value;
+    return out.str();
+}
+
+void paint_clearance_plot(Canvas& canvas, const Exhibit& exhibit, const Box& place,
+                          const Palette& colours) {
+    const auto& measures = exhibit.measures;
+    double most = 0;
+    for (const StateMeasures& m : measures) most = std::max(most, m.clearance->distance);
+    if (most == 0) most = exhibit.problem.requirements.broom_length;
+    const double total = std::max(measures.back().cost, 1e-300);
+    const auto at = [&](const StateMeasures& m) {
+        return Point{
+            place.low.x + m.cost / total * (place.high.x - place.low.x),
+            place.high.y - root_scale(m.clearance->distance, most) * (place.high.y - place.low.y)};
+    };
+    canvas.fill_boxes(std::span(&place, 1), colours.field);
+    const TextStyle label{colours.muted, 11, false, Align::right};
+    for (const double value : round_numbers(most, place.high.y - place.low.y)) {
+        const double y = place.high.y - root_scale(value, most) * (place.high.y - place.low.y);
+        const Segment line{{place.low.x, y}, {place.high.x, y}};
+        canvas.stroke_segments(std::span(&line, 1), {colours.grid, 1});
+        canvas.text({place.low.x - 6, y + 4}, shortest(value), label);
+    }
+    std::vector<Point> curve;
+    for (const StateMeasures& m : measures) {
+        const Point point = at(m);
+        const bool same_spot = !curve.empty() && std::abs(point.x - curve.back().x) < 0.25 &&
+                               std::abs(point.y - curve.back().y) < 0.25;
+        if (!same_spot) curve.push_back(point);
+    }
+    std::vector<Point> area = curve;
+    area.push_back({curve.back().x, place.high.y});
+    area.push_back({curve.front().x, place.high.y});
+    canvas.fill_polygon(area, faded(colours.least, 0.18));
+    canvas.stroke_line(curve, {colours.least, 1.4});
+    const Point least = at(measures[*exhibit.tightest_state]);
+    canvas.fill_circle(least, 6, colours.field);
+    canvas.stroke_circle(least, 5, {colours.least, 2.2});
+}
+
+/// The page that shows the place where the clearance is least, so large that one sees the gap.
+Page enlarged(const Page& page, const SceneLeast& least, const Point& centre, double broom) {
+    const double gap =
+        least.clearance == 0 ? broom / 20 : std::clamp(least.clearance, broom / 1000, broom);
+    const Point middle{(least.link.a.x + least.link.b.x) / 2,
+                       (least.link.a.y + least.link.b.y) / 2};
+    Page inset = page;
+    // The gap is a tenth of the circle across; a gap that is too small even for that is shown as
+    // the dot of an ASV that touches.
+    inset.scale = inset_radius / 5 / gap;
+    const Point spot = inset.at(middle);
+    inset.field.low.x += centre.x - spot.x;
+    inset.field.high.y += centre.y - spot.y;
+    return inset;
+}
+
+void paint_inset(Canvas& canvas, const Exhibit& exhibit, const Scene& scene, const Page& page,
+                 const Point& centre, const Palette& colours) {
+    const SceneLeast& least = *scene.least;
+    const Page inset = enlarged(page, least, centre, exhibit.problem.requirements.broom_length);
+    canvas.push_clip_circle(centre, inset_radius);
+    const Box all{{centre.x - inset_radius, centre.y - inset_radius},
+                  {centre.x + inset_radius, centre.y + inset_radius}};
+    canvas.fill_boxes(std::span(&all, 1), colours.field);
+    std::vector<Box> boxes;
+    for (const Box& obstacle : scene.obstacles) {
+        const Box box = inset.at(obstacle);
+        const bool seen = box.low.x < all.high.x && box.high.x > all.low.x &&
+                          box.low.y < all.high.y && box.high.y > all.low.y;
+        if (seen) boxes.push_back(box);
+    }
+    canvas.fill_boxes(boxes, colours.obstacle);
+    const auto state = exhibit.solution->path.state(least.state);
+    const double progress =
+        exhibit.measures[least.state].cost / std::max(exhibit.measures.back().cost, 1e-300);
+    paint_chain(canvas, inset.at(std::vector<Point>(state.begin(), state.end())), {2.5, 4},
+                along_the_way(colours, progress));
+    const Segment link = inset.at(least.link);
+    canvas.stroke_segments(std::span(&link, 1), {colours.least, 3});
+    canvas.pop_clip();
+    canvas.stroke_circle(centre, inset_radius, {colours.least, 2.4});
+}
+
+void paint_caption(Canvas& canvas, const Exhibit& exhibit, const SceneLeast& least, const Point& at,
+                   double zoom, const Palette& colours) {
+    const Clearance& clearance = *exhibit.measures[least.state].clearance;
+    canvas.text(
+        at,
+        "least clearance " + (least.clearance == 0 ? "0: it collides" : fixed(least.clearance, 6)),
+        {colours.ink, text_size, true, Align::left});
+    canvas.text({at.x, at.y + 17},
+                "broom " + std::to_string(clearance.broom + 1) + ", obstacle " +
+                    std::to_string(clearance.obstacle + 1) + ", step " + grouped(least.state) +
+                    ", enlarged " + fixed(zoom, 0) + " times",
+                {colours.muted, text_size, false, Align::left});
+}
+
+}  // namespace
+
+double strip_height(const Exhibit& exhibit, const Scene& scene) {
+    Canvas ruler(PictureFormat::png, 1, 1, 1);
+    const double lines =
+        lay_out(ruler, legend(scene, palette(Theme::light)), legend_width(scene)).height;
+    return lines + (exhibit.tightest_state ? caption_height + plot_height + 8 : 0);
+}
+
+void paint_strip(Canvas& canvas, const Exhibit& exhibit, const Scene& scene, const Page& page,
+                 const Palette& colours) {
+    paint_legend(canvas, legend(scene, colours), {Page::left, page.strip_top + 12},
+                 legend_width(scene), colours);
+    if (!scene.least) return;
+    const double bottom = page.strip_top + strip_height(exhibit, scene) - 8;
+    const Box plot{{Page::left, bottom - plot_height}, {Page::left + legend_width(scene), bottom}};
+    const Point centre{page.width - Page::right - inset_radius - 2, bottom - inset_radius - 2};
+    const Page inset =
+        enlarged(page, *scene.least, centre, exhibit.problem.requirements.broom_length);
+    paint_caption(canvas, exhibit, *scene.least, {plot.low.x, plot.low.y - 25},
+                  inset.scale / page.scale, colours);
+    canvas.text({plot.high.x, plot.low.y - 8}, "clearance along the way",
+                {colours.muted, text_size, false, Align::right});
+    paint_clearance_plot(canvas, exhibit, plot, colours);
+    paint_inset(canvas, exhibit, scene, page, centre, colours);
+}
+
+}  // namespace asv::io

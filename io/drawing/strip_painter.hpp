@@ -1,0 +1,19 @@
+#pragma once
+
+#include "asv/io/drawing/canvas.hpp"
+#include "asv/io/drawing/exhibit.hpp"
+#include "asv/io/drawing/page.hpp"
+#include "asv/io/drawing/palette.hpp"
+#include "asv/io/drawing/scene.hpp"
+
+namespace asv::io {
+
+/// How high the strip below the field has to be.
+double strip_height(const Exhibit& exhibit, const Scene& scene);
+
+/// Paints what is below the field: the legend, and for a solution among obstacles the clearance
+/// along the way and the place where it is least, enlarged.
+void paint_strip(Canvas& canvas, const Exhibit& exhibit, const Scene& scene, const Page& page,
+                 const Palette& colours);
+
+}  // namespace asv::io

@@ -1,0 +1,162 @@
+#include "asv/io/gallery.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "asv/io/atomic_file.hpp"
+#include "asv/io/drawing.hpp"
+#include "asv/io/parse_error.hpp"
+#include "asv/io/player.hpp"
+#include "asv/io/player/assets.hpp"
+#include "asv/io/run_facts.hpp"
+#include "asv/io/solution_file.hpp"
+
+namespace asv::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view solution_ending = ".solution.txt";
+
+std::vector<fs::path> problems_in(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (entry.is_regular_file() && name.ends_with(".txt") && !name.ends_with(solution_ending)) {
+            files.push_back(entry.path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+ExhibitFiles with_companions(const fs::path& problem, const fs::path& folder) {
+    const auto companion = [&](std::string_view ending) -> std::optional<fs::path> {
+        fs::path file = folder / problem.stem();
+        file += ending;
+        if (!fs::exists(file)) return std::nullopt;
+        return file;
+    };
+    return {problem, companion(solution_ending), companion(".trees.json"),
+            companion(".stats.json")};
+}
+
+/// A file name as part of an address: everything but letters, digits and -_. as %XX.
+std::string address(std::string_view name) {
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string result;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                           (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+        if (plain) {
+            result += c;
+        } else {
+            result += '%';
+            result += digits[byte >> 4];
+            result += digits[byte & 15];
+        }
+    }
+    return result;
+}
+
+std::string card(const Exhibit& exhibit, const std::string& file) {
+    const std::string name = escape_markup(exhibit.name);
+    const std::string words = escape_markup(facts(exhibit));
+    const bool good = exhibit.report.valid();
+    const std::string base = address(file);
+    return "<li>\n<h2><a href=\"" + base + ".html\">" + name + "</a></h2>\n<a href=\"" + base +
+           ".html\" tabindex=\"-1\" aria-hidden=\"true\"><picture>\n" +
+           "<source media=\"(prefers-color-scheme: dark)\" srcset=\"" + base + ".dark.svg\">\n" +
+           "<img src=\"" + base + ".light.svg\" alt=\"\" loading=\"lazy\"></picture></a>\n<p>" +
+           words + "</p>\n<p class=\"verdict" + (good ? "" : " bad") + "\">" +
+           (good ? "✓ " : "✗ ") + escape_markup(verdict(exhibit)) + "</p>\n</li>\n";
+}
+
+std::string card(const GalleryFailure& failure) {
+    return "<li>\n<h2>" + escape_markup(failure.name) + "</h2>\n<p class=\"verdict bad\">✗ " +
+           escape_markup(failure.reason) + "</p>\n</li>\n";
+}
+
+std::string index_page(const std::string& cards, const GalleryReport& report) {
+    std::string page(assets::gallery);
+    const auto fill = [&](std::string_view mark, std::string_view content) {
+        page.replace(page.find(mark), mark.size(), content);
+    };
+    const std::size_t failed = report.failures.size();
+    std::string count = std::to_string(report.shown);
+    count += report.shown == 1 ? " problem" : " problems";
+    if (failed > 0) count.append(", ").append(std::to_string(failed)).append(" not readable");
+    fill("@COUNT@", count);
+    fill("@CARDS@", cards);
+    return page;
+}
+
+}  // namespace
+
+Exhibit read_exhibit(const ExhibitFiles& files, std::vector<Warning>& warnings) {
+    ProblemFile problem = read_problem(files.problem);
+    warnings.insert(warnings.end(), problem.warnings.begin(), problem.warnings.end());
+    ExhibitInput input;
+    input.name = files.problem.stem().string();
+    input.problem = std::move(problem.problem);
+    if (files.solution) {
+        input.solution = read_solution(*files.solution, input.problem.asv_count());
+    }
+    if (files.trees) input.trees = read_trees(*files.trees);
+    if (files.stats) {
+        const RunFacts run = read_run_facts(*files.stats);
+        input.lower_bound = run.lower_bound;
+        input.planner = run.planner;
+    }
+    return make_exhibit(std::move(input));
+}
+
+std::vector<ExhibitFiles> find_exhibits(std::span<const fs::path> cases,
+                                        const std::optional<fs::path>& solutions) {
+    std::vector<ExhibitFiles> result;
+    for (const fs::path& path : cases) {
+        if (!fs::exists(path)) throw ReadError(path.string() + ": no such file or folder");
+        const std::vector<fs::path> problems =
+            fs::is_directory(path) ? problems_in(path) : std::vector<fs::path>{path};
+        for (const fs::path& problem : problems) {
+            result.push_back(with_companions(problem, solutions.value_or(problem.parent_path())));
+        }
+    }
+    return result;
+}
+
+GalleryReport write_gallery(const fs::path& folder, std::span<const ExhibitFiles> exhibits) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw WriteError(folder.string() + ": " + error.message());
+    GalleryReport report;
+    std::string cards;
+    std::map<std::string, int> uses;
+    for (const ExhibitFiles& files : exhibits) {
+        std::string name = files.problem.stem().string();
+        const int use = ++uses[name];
+        if (use > 1) name.append("-").append(std::to_string(use));
+        try {
+            const Exhibit exhibit = read_exhibit(files, report.warnings);
+            write_file(folder / (name + ".light.svg"),
+                       draw_picture(exhibit, PictureFormat::svg, Theme::light));
+            write_file(folder / (name + ".dark.svg"),
+                       draw_picture(exhibit, PictureFormat::svg, Theme::dark));
+            write_file(folder / (name + ".html"), make_player(exhibit));
+            cards += card(exhibit, name);
+            ++report.shown;
+        } catch (const ParseError& problem) {
+            report.failures.push_back({name, problem.what()});
+            cards += card(report.failures.back());
+        } catch (const ReadError& problem) {
+            report.failures.push_back({name, problem.what()});
+            cards += card(report.failures.back());
+        }
+    }
+    write_file(folder / "index.html", index_page(cards, report));
+    return report;
+}
+
+}  // namespace asv::io

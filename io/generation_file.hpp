@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace asv::io {
+
+/// How a generated problem came about, and what a conservative check says about it.
+struct Generation {
+    std::string problem;  ///< name of the problem file
+    std::string family;
+    std::size_t asv_count = 0;
+    std::size_t obstacle_count = 0;
+    std::uint64_t seed = 0;
+    std::size_t attempt = 1;  ///< which problem of the seed it is, from 1
+    std::vector<std::pair<std::string, std::string>> parameters;  ///< options and their values
+    bool solvable = false;                                        ///< false: unknown
+    std::string reason;
+    std::string version;
+};
+
+/// Writes one JSON object, whole or not at all: "verdict" is "solvable" or "unknown". Throws
+/// WriteError.
+void write_generation(const std::filesystem::path& file, const Generation& generation);
+
+}  // namespace asv::io

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+namespace asv::io {
+
+/// A JSON text that was read, and the complaints about what stands in it. Every ParseError from
+/// here names line, column and JSON path: "FILE:3:17: expected an array at trees[0].points, found
+/// 7".
+class JsonDocument {
+  public:
+    using Json = nlohmann::json;
+    using Pointer = Json::json_pointer;
+
+    /// Keeps a view of the text. Throws ParseError when it is not JSON.
+    JsonDocument(std::string_view text, std::string name);
+
+    [[noreturn]] void fail(const Pointer& at, const std::string& expected) const;
+
+    bool has(const Pointer& at) const { return root_.contains(at); }
+    bool is_null(const Pointer& at) const { return has(at) && root_.at(at).is_null(); }
+
+    /// The value there; each throws ParseError when it is missing or something else.
+    const Json& array(const Pointer& at) const;
+    std::string text(const Pointer& at) const;
+    double number(const Pointer& at) const;
+    std::int64_t integer(const Pointer& at, std::int64_t low, std::int64_t high) const;
+
+    /// The same for a value that is at hand, which spares looking it up.
+    std::int64_t integer(const Json& value, const Pointer& at, std::int64_t low,
+                         std::int64_t high) const;
+
+  private:
+    std::string_view text_;
+    std::string name_;
+    Json root_;
+};
+
+}  // namespace asv::io

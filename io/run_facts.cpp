@@ -1,0 +1,22 @@
+#include "asv/io/run_facts.hpp"
+
+#include "asv/io/atomic_file.hpp"
+#include "asv/io/json_document.hpp"
+
+namespace asv::io {
+
+RunFacts parse_run_facts(std::string_view text, const std::string& name) {
+    using Pointer = JsonDocument::Pointer;
+    const JsonDocument document(text, name);
+    RunFacts facts;
+    if (document.has(Pointer("/planner"))) facts.planner = document.text(Pointer("/planner"));
+    const Pointer bound("/cost_lower_bound");
+    if (document.has(bound) && !document.is_null(bound)) facts.lower_bound = document.number(bound);
+    return facts;
+}
+
+RunFacts read_run_facts(const std::filesystem::path& file) {
+    return parse_run_facts(read_file(file), file.string());
+}
+
+}  // namespace asv::io

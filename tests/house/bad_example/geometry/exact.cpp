@@ -1,0 +1,1 @@
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -1,0 +1,33 @@
+// What a stranger does with the installed package: states a problem, solves it, writes the
+// solution, reads it back and has it checked.
+
+#include <cstdio>
+#include <vector>
+
+#include "asv/core/solve.hpp"
+#include "asv/core/validate.hpp"
+#include "asv/geometry/distance.hpp"
+#include "asv/io/solution_file.hpp"
+
+int main(int count, char** arguments) {
+    if (count != 2) return 2;
+    // Three ASVs in a right angle, to be moved past a box.
+    asv::core::Problem problem;
+    problem.start = {{0.10, 0.50}, {0.15, 0.50}, {0.15, 0.55}};
+    problem.goal = {{0.80, 0.50}, {0.85, 0.50}, {0.85, 0.55}};
+    problem.obstacles = {{{0.4, 0.3}, {0.6, 0.8}}};
+
+    asv::core::SolveOptions options;
+    options.optimize = 0;
+    const asv::core::SolveResult result = asv::core::solve(problem, options);
+    if (!result.solution) return 1;
+    asv::io::write_solution(arguments[1], *result.solution);
+
+    const asv::core::Solution read = asv::io::read_solution(arguments[1], problem.asv_count());
+    const bool same = read.path == result.solution->path;
+    const bool valid = asv::core::validate(problem, read, {.continuous = true}).valid();
+    const double clearance = asv::geometry::distance(problem.start[2], problem.obstacles[0]);
+    std::printf("%zu states, cost %.3f, %.2f off the box\n", read.path.size(), read.cost,
+                clearance);
+    return same && valid && clearance > 0.2 ? 0 : 1;
+}
