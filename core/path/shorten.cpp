@@ -11,9 +11,9 @@ constexpr double least_gain = 1e-5;
 
 }  // namespace
 
-Shortcutter::Shortcutter(const Chain& chain, Rows path)
-    : dimension_(chain.dimension()),
-      motion_cost_(chain),
+Shortcutter::Shortcutter(std::size_t dimension, Cost cost, Rows path)
+    : dimension_(dimension),
+      motion_cost_(std::move(cost)),
       path_(std::move(path)),
       from_(dimension_),
       to_(dimension_) {
@@ -25,7 +25,8 @@ void Shortcutter::measure() {
     cumulative_.assign(1, 0.0);
     for (std::size_t i = d; i < path_.size(); i += d)
         cumulative_.push_back(cumulative_.back() +
-                              motion_cost_({path_.data() + i - d, d}, {path_.data() + i, d}));
+                              motion_cost_(std::span<const double>(path_.data() + i - d, d),
+                                           std::span<const double>(path_.data() + i, d)));
 }
 
 Shortcutter::Place Shortcutter::at(double cost) const {
