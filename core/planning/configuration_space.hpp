@@ -2,7 +2,6 @@
 
 #include <concepts>
 #include <cstddef>
-#include <optional>
 #include <span>
 
 #include "asv/core/planning/nearest.hpp"
@@ -27,8 +26,34 @@ concept ConfigurationSpace = requires(Space& space, Rng& rng, std::span<double> 
     { space.steer(row, row, visited) } -> std::same_as<Steered>;
     /// Distance in the metric.
     { space.distance(row, row) } -> std::convertible_to<double>;
-    /// The index of the angle that wraps at 2 pi, if the space has one.
-    { space.wrapping() } -> std::same_as<std::optional<std::size_t>>;
+    /// The coordinates that are angles and wrap at 2 pi, if there are any.
+    { space.wrapping() } -> std::same_as<WrappingAngles>;
+};
+
+/// What samplers, roadmaps and optimal trees need beyond that. Wherever two rows go in, the angles
+/// that wrap are unwrapped alike (see unwrap() and interpolate()).
+template <class Space>
+concept SampledSpace = ConfigurationSpace<Space> &&
+    requires(Space& space, Rng& rng, std::span<const double> row, std::span<double> out,
+             std::size_t coordinate, double sigma) {
+    /// The configuration at a point of the unit cube, on which the bounds are mapped evenly:
+    /// uniform draws and regular grids are those of the cube. Obstacles are not looked at. False
+    /// where the body cannot take it whatever the obstacles (shape requirements).
+    { space.from_unit_cube(row, out) } -> std::same_as<bool>;
+    /// How long the side of the cube along a coordinate is in the metric: a grid divides long sides
+    /// more often.
+    { space.extent(coordinate) } -> std::convertible_to<double>;
+    /// The row displaced by a normal draw along each coordinate, of deviation sigma in the metric.
+    /// It may leave the bounds. row and out do not overlap.
+    { space.perturb(rng, row, sigma, out) } -> std::same_as<void>;
+    /// Does the body meet an obstacle or leave the bounds there? Its own requirements do not count.
+    { space.collides(row) } -> std::same_as<bool>;
+    /// Is the configuration valid in every respect?
+    { space.valid(row) } -> std::same_as<bool>;
+    /// Is the whole straight motion proven valid?
+    { space.motion_valid(row, row) } -> std::same_as<bool>;
+    /// What the straight motion costs; symmetric, not negative, 0 from a row to itself.
+    { space.cost(row, row) } -> std::convertible_to<double>;
 };
 
 /// A start and a goal, both valid.

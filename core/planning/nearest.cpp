@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace asv::core {
 
-NearestNeighbours::NearestNeighbours(std::span<const double> scales,
-                                     std::optional<std::size_t> wrapping)
+NearestNeighbours::NearestNeighbours(std::span<const double> scales, WrappingAngles wrapping)
     : scales_(scales.begin(), scales.end()), wrapping_(wrapping), query_(scales.size()) {}
 
 void NearestNeighbours::add(std::span<const double> row) {
@@ -20,16 +20,11 @@ void NearestNeighbours::add(std::span<const double> row) {
     ++size_;
 }
 
-std::size_t NearestNeighbours::nearest(std::span<const double> row) const {
-    for (std::size_t i = 0; i < scales_.size(); ++i)
-        query_[i] = static_cast<float>(row[i] * scales_[i]);
-    std::size_t best = 0;
-    float least = std::numeric_limits<float>::infinity();
+/// Calls visit(first row, squared distances) for each block of rows.
+template <class Visit>
+void NearestNeighbours::scan(std::span<const double> row, Visit&& visit) const {
     const std::size_t d = scales_.size();
-    const std::size_t wrapping = wrapping_.value_or(d);
-    const auto period =
-        wrapping < d ? static_cast<float>(2 * std::numbers::pi * scales_[wrapping]) : 1.f;
-    const float inverse = 1 / period;
+    for (std::size_t i = 0; i < d; ++i) query_[i] = static_cast<float>(row[i] * scales_[i]);
     constexpr float round_to_integer = 12582912.f;  // 1.5 * 2^23
     for (std::size_t start = 0; start < size_; start += lanes) {
         const float* block = blocks_.data() + start * d;
@@ -37,7 +32,9 @@ std::size_t NearestNeighbours::nearest(std::span<const double> row) const {
         for (std::size_t i = 0; i < d; ++i) {
             const float q = query_[i];
             const float* values = block + i * lanes;
-            if (i == wrapping) {
+            if (wrapping_.contains(i) && scales_[i] > 0) {
+                const auto period = static_cast<float>(2 * std::numbers::pi * scales_[i]);
+                const float inverse = 1 / period;
                 for (std::size_t l = 0; l < lanes; ++l) {
                     float difference = values[l] - q;
                     difference -=
@@ -51,15 +48,68 @@ std::size_t NearestNeighbours::nearest(std::span<const double> row) const {
                 }
             }
         }
+        visit(start, sum);
+    }
+}
+
+std::size_t NearestNeighbours::nearest(std::span<const double> row) const {
+    std::size_t best = 0;
+    float least = std::numeric_limits<float>::infinity();
+    scan(row, [&](std::size_t start, const float* squared) {
         const std::size_t count = std::min(lanes, size_ - start);
         for (std::size_t l = 0; l < count; ++l) {
-            if (sum[l] < least) {
-                least = sum[l];
+            if (squared[l] < least) {
+                least = squared[l];
                 best = start + l;
             }
         }
-    }
+    });
     return best;
+}
+
+std::optional<std::size_t> NearestNeighbours::nearest(std::span<const double> row,
+                                                      std::span<const float> factors) const {
+    std::optional<std::size_t> best;
+    float least = std::numeric_limits<float>::infinity();
+    scan(row, [&](std::size_t start, const float* squared) {
+        const std::size_t count = std::min(lanes, size_ - start);
+        for (std::size_t l = 0; l < count; ++l) {
+            const float factor = factors[start + l];
+            const float scaled = squared[l] * factor * factor;
+            if (factor < std::numeric_limits<float>::infinity() && scaled < least) {
+                least = scaled;
+                best = start + l;
+            }
+        }
+    });
+    return best;
+}
+
+std::vector<std::size_t> NearestNeighbours::nearest(std::span<const double> row,
+                                                    std::size_t count) const {
+    return sorted(row, std::numeric_limits<float>::infinity(), count);
+}
+
+std::vector<std::size_t> NearestNeighbours::within(std::span<const double> row,
+                                                   double radius) const {
+    return sorted(row, static_cast<float>(radius * radius), size_);
+}
+
+std::vector<std::size_t> NearestNeighbours::sorted(std::span<const double> row, float most,
+                                                   std::size_t count) const {
+    std::vector<std::pair<float, std::size_t>> found;
+    scan(row, [&](std::size_t start, const float* squared) {
+        const std::size_t rows = std::min(lanes, size_ - start);
+        for (std::size_t l = 0; l < rows; ++l)
+            if (squared[l] <= most) found.emplace_back(squared[l], start + l);
+    });
+    count = std::min(count, found.size());
+    const auto end = found.begin() + static_cast<std::ptrdiff_t>(count);
+    std::partial_sort(found.begin(), end, found.end());
+    std::vector<std::size_t> result;
+    result.reserve(count);
+    for (auto it = found.begin(); it != end; ++it) result.push_back(it->second);
+    return result;
 }
 
 }  // namespace asv::core

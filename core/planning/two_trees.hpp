@@ -1,24 +1,15 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "asv/core/planning/configuration_space.hpp"
+#include "asv/core/planning/interpolate.hpp"
 #include "asv/core/planning/tree.hpp"
 
 namespace asv::core {
-
-/// The row turned by full turns of its angle until it is nearest to that of the other row.
-inline void unwrap(std::span<double> row, std::span<const double> other,
-                   std::optional<std::size_t> angle) {
-    constexpr double full = 2 * std::numbers::pi;
-    if (angle) row[*angle] -= full * std::round((row[*angle] - other[*angle]) / full);
-}
 
 /// The trees of a bidirectional search and the operations that all of them share.
 template <ConfigurationSpace Space>
@@ -68,15 +59,19 @@ class TwoTrees {
             const auto row = trees_[0].row(node);
             path.insert(path.end(), row.begin(), row.end());
         }
-        const auto angle = space_.wrapping();
+        // The angles of the goal tree, turned by as many full turns as they differ by where it
+        // meets the start tree.
+        const WrappingAngles angles = space_.wrapping();
         const auto meeting = trees_[1].row(in_goal_tree);
-        const double full_turns =
-            angle ? path[path.size() - space_.dimension() + *angle] - meeting[*angle] : 0;
+        std::vector<double> turns(space_.dimension(), 0.0);
+        for (std::size_t i = angles.first; i < angles.first + angles.count; ++i)
+            turns[i] = path[path.size() - turns.size() + i] - meeting[i];
         for (auto node = trees_[1].parent(in_goal_tree); node != Tree::none;
              node = trees_[1].parent(node)) {
             const auto row = trees_[1].row(node);
             path.insert(path.end(), row.begin(), row.end());
-            if (angle) path[path.size() - space_.dimension() + *angle] += full_turns;
+            for (std::size_t i = 0; i < turns.size(); ++i)
+                path[path.size() - turns.size() + i] += turns[i];
         }
         return path;
     }

@@ -40,9 +40,8 @@ ClassicSpace::ClassicSpace(const BroomWorld& world, const ClassicOptions& option
       pose_(world.chain.make_pose()),
       other_pose_(world.chain.make_pose()) {}
 
-std::optional<std::size_t> ClassicSpace::wrapping() const {
-    if (world_.chain.asv_count() < 2) return std::nullopt;
-    return 2;
+WrappingAngles ClassicSpace::wrapping() const {
+    return {2, world_.chain.asv_count() < 2 ? 0U : 1U};
 }
 
 double ClassicSpace::distance(std::span<const double> a, std::span<const double> b) const {

@@ -41,7 +41,7 @@ class ClassicSpace {
     ClassicSpace(const BroomWorld& world, const ClassicOptions& options);
 
     std::size_t dimension() const { return world_.chain.dimension(); }
-    std::optional<std::size_t> wrapping() const;
+    WrappingAngles wrapping() const;
     NearestNeighbours make_index() const { return {scales_, wrapping()}; }
     double distance(std::span<const double> a, std::span<const double> b) const;
     bool sample(Rng& rng, std::span<double> row);

@@ -11,9 +11,8 @@ SlidingSpace::SlidingSpace(const BroomWorld& world, const SlideOptions& options)
       sampler_(checker_),
       pose_(world.chain.make_pose()) {}
 
-std::optional<std::size_t> SlidingSpace::wrapping() const {
-    if (world_.chain.asv_count() < 2) return std::nullopt;
-    return 2;
+WrappingAngles SlidingSpace::wrapping() const {
+    return {2, world_.chain.asv_count() < 2 ? 0U : 1U};
 }
 
 Steered SlidingSpace::steer(std::span<const double> from, std::span<const double> target,

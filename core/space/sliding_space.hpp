@@ -22,7 +22,7 @@ class SlidingSpace {
     SlidingSpace(const BroomWorld& world, const SlideOptions& options);
 
     std::size_t dimension() const { return world_.chain.dimension(); }
-    std::optional<std::size_t> wrapping() const;
+    WrappingAngles wrapping() const;
     NearestNeighbours make_index() const { return {world_.metric.scales(), wrapping()}; }
     double distance(std::span<const double> a, std::span<const double> b) const {
         return world_.metric.distance(a, b);

@@ -49,7 +49,7 @@ struct Place {
         const std::size_t kind = rng.below(5);
         if (kind == 0) {
             Row to = state(rng);
-            unwrap(to, from, to.size() > 2 ? std::optional<std::size_t>(2) : std::nullopt);
+            unwrap(to, from, WrappingAngles{2, to.size() > 2 ? 1U : 0U});
             return to;
         }
         Row to(from);
@@ -211,7 +211,7 @@ void expect_same_answers(Place& place, BroomWorld& image, Points (*map)(Points),
         if (to.size() > 2 && std::abs(to[2] - from[2]) > 1) continue;
         const Row a = image_of(from);
         Row b = image_of(to);
-        unwrap(b, a, 2);
+        unwrap(b, a, WrappingAngles{2, 1});
         const bool answer = place.checker.valid(from, to);
         if (std::abs(place.oracle.lowest(from, to, 100).room) < 1e-6) continue;
         ASSERT_EQ(checker.valid(a, b), answer) << "motion " << i;

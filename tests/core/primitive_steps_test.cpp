@@ -63,7 +63,7 @@ struct SlidePath {
             const Row from(rows.end() - static_cast<std::ptrdiff_t>(d), rows.end());
             Row to(from);
             if (!sampler.sample(rng, to)) continue;
-            unwrap(to, from, d > 2 ? std::optional<std::size_t>(2) : std::nullopt);
+            unwrap(to, from, WrappingAngles{2, d > 2 ? 1U : 0U});
             steering.slide(from, to, rows);
         }
         problem.goal = testing::positions_of(world.chain, nth(rows, d, rows.size() / d - 1));

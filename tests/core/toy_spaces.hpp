@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -19,8 +20,8 @@ struct PointSpace {
     explicit PointSpace(std::vector<Box> given) : boxes(std::move(given)) {}
 
     std::size_t dimension() const { return 2; }
-    std::optional<std::size_t> wrapping() const { return std::nullopt; }
-    NearestNeighbours make_index() const { return {Row{1, 1}, std::nullopt}; }
+    WrappingAngles wrapping() const { return {}; }
+    NearestNeighbours make_index() const { return {Row{1, 1}, {}}; }
     double distance(std::span<const double> a, std::span<const double> b) const {
         return std::hypot(a[0] - b[0], a[1] - b[1]);
     }
@@ -52,6 +53,27 @@ struct PointSpace {
         }
     }
 
+    bool from_unit_cube(std::span<const double> unit, std::span<double> row) const {
+        std::copy(unit.begin(), unit.end(), row.begin());
+        return true;
+    }
+    double extent(std::size_t) const { return 1; }
+    void perturb(Rng& rng, std::span<const double> row, double sigma, std::span<double> out) const {
+        for (std::size_t i = 0; i < 2; ++i) out[i] = row[i] + sigma * rng.normal();
+    }
+    bool collides(std::span<const double> row) const { return !valid(row); }
+    bool valid(std::span<const double> row) const {
+        const auto inside = [](double x) { return x >= 0 && x <= 1; };
+        return inside(row[0]) && inside(row[1]) && free(row, row);
+    }
+    bool motion_valid(std::span<const double> from, std::span<const double> to) {
+        ++motion_checks;
+        return valid(from) && valid(to) && free(from, to);
+    }
+    double cost(std::span<const double> from, std::span<const double> to) const {
+        return distance(from, to);
+    }
+
     std::size_t asv_count() const { return 1; }
     std::optional<Point> pull_target(Rng& rng, double) {
         Row row(2);
@@ -67,6 +89,7 @@ struct PointSpace {
     std::vector<Box> boxes;
     std::vector<std::pair<Row, Row>> steered;  ///< from, target
     std::size_t pulls = 0;
+    std::size_t motion_checks = 0;
 };
 
 /// A wall across the square but for a door 0.02 wide near its upper end.
@@ -82,8 +105,8 @@ inline std::vector<Box> closed_wall() {
 /// A place x in [0, 1] and an angle; no obstacle, but one motion turns by at most a radian.
 struct DialSpace {
     std::size_t dimension() const { return 2; }
-    std::optional<std::size_t> wrapping() const { return 1; }
-    NearestNeighbours make_index() const { return {Row{1, 1}, 1}; }
+    WrappingAngles wrapping() const { return {1, 1}; }
+    NearestNeighbours make_index() const { return {Row{1, 1}, {1, 1}}; }
     double distance(std::span<const double> a, std::span<const double> b) const {
         return std::hypot(a[0] - b[0], a[1] - b[1]);
     }
@@ -101,7 +124,7 @@ struct DialSpace {
     }
 };
 
-static_assert(ConfigurationSpace<PointSpace>);
+static_assert(SampledSpace<PointSpace>);
 static_assert(ConfigurationSpace<DialSpace>);
 
 }  // namespace asv::core::testing
