@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -38,7 +39,8 @@ class LinkSpace {
     /// Where the body is to be seen in the picture of a tree: the tip of an arm, the point.
     geometry::Point position(std::span<const double> row);
 
-    const MotionChecker& checker() const { return checker_; }
+    std::uint64_t state_checks() const { return checker_.state_checks(); }
+    std::uint64_t motion_checks() const { return checker_.motion_checks(); }
 
   private:
     const LinkWorld& world_;
