@@ -32,6 +32,10 @@ class LinkSpace {
     bool collides(std::span<const double> row);
     bool valid(std::span<const double> row);
     bool motion_valid(std::span<const double> from, std::span<const double> to);
+    /// No path between them costs less.
+    double least_cost(std::span<const double> from, std::span<const double> to) const {
+        return distance(from, to);
+    }
     double cost(std::span<const double> from, std::span<const double> to) const {
         return distance(from, to);
     }
