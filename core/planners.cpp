@@ -1,7 +1,7 @@
 #include "asv/core/planners.hpp"
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -48,8 +48,15 @@ Setting flag(std::string name, bool& value, std::string meaning) {
 /// An order of growing the trees that can be taken out of the rotation.
 Setting order(std::string name, std::vector<GrowthOrder>& orders, GrowthOrder which,
               std::string meaning) {
-    return {std::move(name), std::move(meaning), "", 0, 1, true,
-            [&orders, which] { return std::count(orders.begin(), orders.end(), which) > 0 ? 1.0 : 0.0; },
+    return {std::move(name),
+            std::move(meaning),
+            "",
+            0,
+            1,
+            true,
+            [&orders, which] {
+                return std::count(orders.begin(), orders.end(), which) > 0 ? 1.0 : 0.0;
+            },
             [&orders, which](double on) {
                 std::erase(orders, which);
                 if (on != 0) orders.push_back(which);
@@ -115,8 +122,8 @@ std::vector<Setting> settings_of(RrtConnectPlanner& planner) {
     std::ostringstream text;
     text << "planner " << name(planner) << " has no setting '" << given << "'; there are:";
     for (const Setting& s : settings(planner))
-        text << "\n  " << s.name << ": " << s.meaning << " (" << describe_range(s) << "; default " << s.get()
-             << ")";
+        text << "\n  " << s.name << ": " << s.meaning << " (" << describe_range(s) << "; default "
+             << s.get() << ")";
     throw std::invalid_argument(text.str());
 }
 
@@ -151,11 +158,13 @@ Planner planner_named(std::string_view name) {
         if (entry.name == name) return entry.planner;
         known += (known.empty() ? "" : ", ") + std::string(entry.name);
     }
-    throw std::invalid_argument("there is no planner '" + std::string(name) + "'; there are: " +
-                                known);
+    throw std::invalid_argument("there is no planner '" + std::string(name) +
+                                "'; there are: " + known);
 }
 
-std::string_view name(const Planner& planner) { return catalogue()[planner.index()].name; }
+std::string_view name(const Planner& planner) {
+    return catalogue()[planner.index()].name;
+}
 
 std::vector<Setting> settings(Planner& planner) {
     return std::visit([](auto& chosen) { return settings_of(chosen); }, planner);
@@ -174,8 +183,8 @@ void set(Planner& planner, std::string_view setting, std::string_view value) {
             given = std::nan("");
         }
         if (!(given >= s.low && given <= s.high) || (s.whole && given != std::floor(given)))
-            throw std::invalid_argument("setting " + s.name + " wants " + describe_range(s) + ", not '" +
-                                        std::string(value) + "'");
+            throw std::invalid_argument("setting " + s.name + " wants " + describe_range(s) +
+                                        ", not '" + std::string(value) + "'");
         s.set(given);
         return;
     }
@@ -185,7 +194,8 @@ void set(Planner& planner, std::string_view setting, std::string_view value) {
 void require_usable(const Planner& planner) {
     if (const auto* classic = std::get_if<RrtConnectPlanner>(&planner))
         if (classic->search.orders.empty())
-            throw std::invalid_argument("rrt-connect needs at least one order of growing its trees");
+            throw std::invalid_argument(
+                "rrt-connect needs at least one order of growing its trees");
 }
 
 }  // namespace asv::core

@@ -10,11 +10,11 @@ namespace asv::core {
 /// What every primitive step has to meet, all lengths in workspace units. The numbers are those of
 /// the public assignment; every tolerance of the program comes from here.
 struct Requirements {
-    double broom_length = 0.05;           ///< distance of neighbouring ASVs
-    double max_step = 0.001;              ///< farthest any ASV may move in one primitive step
-    double area_radius_per_broom = 0.007; ///< r of the minimum area pi * r^2, for each broom
-    geometry::Box bounds{{0, 0}, {1, 1}}; ///< where the ASVs may be
-    double tolerance = 1e-5;              ///< e: how far a verdict is lenient, in every requirement
+    double broom_length = 0.05;            ///< distance of neighbouring ASVs
+    double max_step = 0.001;               ///< farthest any ASV may move in one primitive step
+    double area_radius_per_broom = 0.007;  ///< r of the minimum area pi * r^2, for each broom
+    geometry::Box bounds{{0, 0}, {1, 1}};  ///< where the ASVs may be
+    double tolerance = 1e-5;  ///< e: how far a verdict is lenient, in every requirement
 
     /// pi * (0.007 * (n - 1))^2: the least area of the closed polygon of n ASVs.
     double minimum_area(std::size_t asv_count) const {

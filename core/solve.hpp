@@ -20,19 +20,19 @@ namespace asv::core {
 
 /// A look at the work while it runs.
 struct SolveProgress {
-    Progress search;                    ///< of the first thread's search
-    std::optional<double> cost;         ///< of the best path, once there is one
-    double elapsed = 0;                 ///< seconds
+    Progress search;             ///< of the first thread's search
+    std::optional<double> cost;  ///< of the best path, once there is one
+    double elapsed = 0;          ///< seconds
 };
 
 struct SolveOptions {
     Planner planner = AutoPlanner{};
     std::uint64_t seed = 1;
-    double time_limit = 60;     ///< seconds from `started` for everything
-    double optimize = 1;        ///< seconds of improvement after the first solution
-    std::size_t threads = 1;    ///< that race different seeds; 0 counts as 1
-    bool reverse = false;       ///< plan from goal to start; the path is given from start to goal
-    bool keep_trees = false;    ///< fill SolveResult::trees
+    double time_limit = 60;   ///< seconds from `started` for everything
+    double optimize = 1;      ///< seconds of improvement after the first solution
+    std::size_t threads = 1;  ///< that race different seeds, then improve; 0 counts as 1
+    bool reverse = false;     ///< plan from goal to start; the path is given from start to goal
+    bool keep_trees = false;  ///< fill SolveResult::trees
     Clock::time_point started = Clock::now();
     std::stop_token stop = {};  ///< ends the work early; the best solution so far is kept
     /// Called from the thread of the first search, some times a second at most.
@@ -46,7 +46,7 @@ std::string_view name(SolveStatus status);
 
 /// A requirement that the start or the goal of a problem violates.
 struct InvalidEnd {
-    bool goal = false;   ///< of the goal, else of the start
+    bool goal = false;  ///< of the goal, else of the start
     std::string reason;
 };
 
@@ -59,7 +59,7 @@ struct TreePicture {
 struct SolveStatistics {
     double time_to_first = 0, time_total = 0;  ///< seconds
     double cost_first = 0, cost = 0;           ///< workspace units
-    double cost_lower_bound = 0;               ///< no path costs less
+    double cost_lower_bound = 0;  ///< no path costs less; 0 where there was no time for it
     std::size_t tree_nodes[2] = {0, 0};
     std::size_t iterations = 0;
     std::uint64_t state_checks = 0, edge_checks = 0;
@@ -69,14 +69,14 @@ struct SolveStatistics {
 
 struct SolveResult {
     SolveStatus status = SolveStatus::timeout;
-    std::string reason;                  ///< why there is no solution; empty when solved
-    std::optional<Solution> solution;    ///< passed the validator
+    std::string reason;                ///< why there is no solution; empty when solved
+    std::optional<Solution> solution;  ///< passed the validator
     SolveStatistics statistics;
-    std::vector<TreePicture> trees;      ///< that of the start, that of the goal
+    std::vector<TreePicture> trees;  ///< that of the start, that of the goal
 };
 
-/// Which end of the problem is not valid and why: which requirement, which ASV, broom or obstacle, by
-/// how much; empty when both are valid, or when no chain of so many ASVs could be.
+/// Which end of the problem is not valid and why: which requirement, which ASV, broom or obstacle,
+/// by how much; empty when both are valid, or when no chain of so many ASVs could be.
 std::vector<InvalidEnd> invalid_ends(const Problem& problem);
 
 /// Plans, improves and checks. The same options with one thread and enough time give the same

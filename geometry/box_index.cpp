@@ -49,10 +49,10 @@ HWY_INLINE void lower_bounds(const WideNode& node, const BoxQuery& query, float*
     const auto zero = hn::Zero(d);
     const auto most = hn::Set(d, std::numeric_limits<float>::max());
     for (std::size_t i = 0; i < WideNode::width; i += hn::Lanes(d)) {
-        const auto low_x = hn::Load(d, node.low_x.data() + i);
-        const auto low_y = hn::Load(d, node.low_y.data() + i);
-        const auto high_x = hn::Load(d, node.high_x.data() + i);
-        const auto high_y = hn::Load(d, node.high_y.data() + i);
+        const auto low_x = inl::load_side(node, WideNode::low_x, i);
+        const auto low_y = inl::load_side(node, WideNode::low_y, i);
+        const auto high_x = inl::load_side(node, WideNode::high_x, i);
+        const auto high_y = inl::load_side(node, WideNode::high_y, i);
         const auto x = hn::Max(zero, hn::Max(hn::Sub(low_x, hn::Set(d, query.high_x)),
                                              hn::Sub(hn::Set(d, query.low_x), high_x)));
         const auto y = hn::Max(zero, hn::Max(hn::Sub(low_y, hn::Set(d, query.high_y)),

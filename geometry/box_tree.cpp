@@ -34,10 +34,10 @@ void sort_into_nodes(std::span<Entry> entries, std::size_t capacity) {
 
 void set_lane(WideNode& node, std::size_t lane, float low_x, float low_y, float high_x,
               float high_y) {
-    node.low_x[lane] = low_x;
-    node.low_y[lane] = low_y;
-    node.high_x[lane] = high_x;
-    node.high_y[lane] = high_y;
+    node.side[WideNode::low_x][lane] = low_x;
+    node.side[WideNode::low_y][lane] = low_y;
+    node.side[WideNode::high_x][lane] = high_x;
+    node.side[WideNode::high_y][lane] = high_y;
 }
 
 WideNode empty_node() {
@@ -51,10 +51,10 @@ WideNode empty_node() {
 void set_parent_lane(WideNode& parent, std::size_t lane, const WideNode& child) {
     float low_x = infinity, low_y = infinity, high_x = -infinity, high_y = -infinity;
     for (std::size_t i = 0; i < width; ++i) {
-        low_x = std::fmin(low_x, child.low_x[i]);
-        low_y = std::fmin(low_y, child.low_y[i]);
-        high_x = std::fmax(high_x, child.high_x[i]);
-        high_y = std::fmax(high_y, child.high_y[i]);
+        low_x = std::fmin(low_x, child.side[WideNode::low_x][i]);
+        low_y = std::fmin(low_y, child.side[WideNode::low_y][i]);
+        high_x = std::fmax(high_x, child.side[WideNode::high_x][i]);
+        high_y = std::fmax(high_y, child.side[WideNode::high_y][i]);
     }
     set_lane(parent, lane, low_x, low_y, high_x, high_y);
 }

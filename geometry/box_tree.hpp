@@ -18,8 +18,21 @@ namespace asv::geometry::detail {
 /// lane without a box is NaN, which no comparison accepts.
 struct alignas(64) WideNode {
     static constexpr std::uint32_t width = 8;
-    std::array<float, width> low_x, low_y, high_x, high_y;
+    enum Side : std::uint32_t { low_x, low_y, high_x, high_y };
+    std::array<std::array<float, width>, 4> side;
 };
+
+/// For every byte the numbers of its set bits, the lowest first.
+inline constexpr auto set_bits = [] {
+    std::array<std::array<std::uint8_t, 8>, 256> table{};
+    for (std::size_t byte = 0; byte < table.size(); ++byte) {
+        std::size_t count = 0;
+        for (std::uint8_t bit = 0; bit < 8; ++bit) {
+            if ((byte >> bit & 1) != 0) table[byte][count++] = bit;
+        }
+    }
+    return table;
+}();
 
 struct NodeId {
     std::uint32_t level;  ///< on level 0 the lanes are the boxes themselves

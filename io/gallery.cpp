@@ -1,8 +1,11 @@
 #include "asv/io/gallery.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include "asv/core/path/lower_bound.hpp"
+#include "asv/core/validate.hpp"
 #include "asv/io/atomic_file.hpp"
 #include "asv/io/drawing.hpp"
 #include "asv/io/parse_error.hpp"
@@ -74,9 +77,20 @@ std::string card(const Exhibit& exhibit, const std::string& file) {
            (good ? "✓ " : "✗ ") + escape_markup(verdict(exhibit)) + "</p>\n</li>\n";
 }
 
-std::string card(const GalleryFailure& failure) {
-    return "<li>\n<h2>" + escape_markup(failure.name) + "</h2>\n<p class=\"verdict bad\">✗ " +
-           escape_markup(failure.reason) + "</p>\n</li>\n";
+/// A page may be shown to people who need not know where its files lay.
+std::string without_folders(std::string reason, const ExhibitFiles& files) {
+    for (const auto& file :
+         {std::optional(files.problem), files.solution, files.trees, files.stats}) {
+        if (!file || !file->has_parent_path()) continue;
+        const std::string folder = file->parent_path().string() + "/";
+        if (reason.starts_with(folder)) return reason.substr(folder.size());
+    }
+    return reason;
+}
+
+std::string failure_card(const std::string& name, const std::string& reason) {
+    return "<li>\n<h2>" + escape_markup(name) + "</h2>\n<p class=\"verdict bad\">✗ " +
+           escape_markup(reason) + "</p>\n</li>\n";
 }
 
 std::string index_page(const std::string& cards, const GalleryReport& report) {
@@ -93,6 +107,16 @@ std::string index_page(const std::string& cards, const GalleryReport& report) {
     return page;
 }
 
+/// None where start or goal is not valid, or no way exists.
+std::optional<double> lower_bound_of(const core::Problem& problem) {
+    const bool valid = core::validate_state(problem, problem.start).valid() &&
+                       core::validate_state(problem, problem.goal).valid();
+    if (!valid) return std::nullopt;
+    const double bound = core::cost_lower_bound(problem).total;
+    if (!std::isfinite(bound)) return std::nullopt;
+    return bound;
+}
+
 }  // namespace
 
 Exhibit read_exhibit(const ExhibitFiles& files, std::vector<Warning>& warnings) {
@@ -105,11 +129,10 @@ Exhibit read_exhibit(const ExhibitFiles& files, std::vector<Warning>& warnings) 
         input.solution = read_solution(*files.solution, input.problem.asv_count());
     }
     if (files.trees) input.trees = read_trees(*files.trees);
-    if (files.stats) {
-        const RunFacts run = read_run_facts(*files.stats);
-        input.lower_bound = run.lower_bound;
-        input.planner = run.planner;
-    }
+    RunFacts run;
+    if (files.stats) run = read_run_facts(*files.stats);
+    input.planner = run.planner;
+    input.lower_bound = run.lower_bound ? run.lower_bound : lower_bound_of(input.problem);
     return make_exhibit(std::move(input));
 }
 
@@ -138,6 +161,10 @@ GalleryReport write_gallery(const fs::path& folder, std::span<const ExhibitFiles
         std::string name = files.problem.stem().string();
         const int use = ++uses[name];
         if (use > 1) name.append("-").append(std::to_string(use));
+        const auto fail = [&](const char* reason) {
+            report.failures.push_back({name, reason});
+            cards += failure_card(name, without_folders(reason, files));
+        };
         try {
             const Exhibit exhibit = read_exhibit(files, report.warnings);
             write_file(folder / (name + ".light.svg"),
@@ -148,11 +175,9 @@ GalleryReport write_gallery(const fs::path& folder, std::span<const ExhibitFiles
             cards += card(exhibit, name);
             ++report.shown;
         } catch (const ParseError& problem) {
-            report.failures.push_back({name, problem.what()});
-            cards += card(report.failures.back());
+            fail(problem.what());
         } catch (const ReadError& problem) {
-            report.failures.push_back({name, problem.what()});
-            cards += card(report.failures.back());
+            fail(problem.what());
         }
     }
     write_file(folder / "index.html", index_page(cards, report));

@@ -19,7 +19,8 @@ struct ExhibitFiles {
     std::optional<std::filesystem::path> stats = {};
 };
 
-/// Reads the files and measures what they say. Adds what had to be forgiven to warnings. Throws
+/// Reads the files and measures what they say. The lower bound of the cost is that of the
+/// statistics, or is computed. Adds what had to be forgiven to warnings. Throws
 /// ParseError or ReadError.
 Exhibit read_exhibit(const ExhibitFiles& files, std::vector<Warning>& warnings);
 

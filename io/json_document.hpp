@@ -22,6 +22,7 @@ class JsonDocument {
     [[noreturn]] void fail(const Pointer& at, const std::string& expected) const;
 
     bool has(const Pointer& at) const { return root_.contains(at); }
+    bool is_null(const Pointer& at) const { return has(at) && root_.at(at).is_null(); }
 
     /// The value there; each throws ParseError when it is missing or something else.
     const Json& array(const Pointer& at) const;

@@ -17,10 +17,12 @@ class Walker {
 
     std::size_t offset() const { return at_; }
 
-    /// Moves to the begin of the member or element of the value here; false when there is none.
+    /// Moves to the begin of the member or element of the value here; false, without moving, when
+    /// there is none.
     bool enter(std::string_view key) {
         const char kind = text_[at_];
         if (kind != '{' && kind != '[') return false;
+        const std::size_t begin = at_;
         std::optional<std::size_t> found;
         std::size_t index = 0;
         step();
@@ -34,7 +36,7 @@ class Walker {
             skip_value();
             if (text_[at_] == ',') step();
         }
-        if (found) at_ = *found;
+        at_ = found.value_or(begin);
         return found.has_value();
     }
 

@@ -10,9 +10,10 @@ RunFacts parse_run_facts(std::string_view text, const std::string& name) {
     const JsonDocument document(text, name);
     RunFacts facts;
     if (document.has(Pointer("/planner"))) facts.planner = document.text(Pointer("/planner"));
-    if (document.has(Pointer("/cost_lower_bound"))) {
-        const double bound = document.number(Pointer("/cost_lower_bound"));
-        if (bound > 0) facts.lower_bound = bound;
+    const Pointer bound("/cost_lower_bound");
+    if (document.has(bound) && !document.is_null(bound)) {
+        const double value = document.number(bound);
+        if (value > 0) facts.lower_bound = value;
     }
     return facts;
 }

@@ -10,7 +10,7 @@ namespace asv::io {
 /// What a picture tells of the run that has found a solution.
 struct RunFacts {
     std::string planner;                ///< empty when the file does not say
-    std::optional<double> lower_bound;  ///< of the cost; none when the file has none, or 0
+    std::optional<double> lower_bound;  ///< of the cost; none when the file has none, null or 0
 };
 
 /// Reads "planner" and "cost_lower_bound" from a file that asv-solve --stats has written. Throws

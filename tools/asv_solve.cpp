@@ -116,8 +116,8 @@ std::size_t peak_memory() {
 void write_trees(const Arguments& arguments, const core::SolveResult& result, std::size_t asvs) {
     io::SearchTrees trees{arguments.planner, asvs, {}, {}};
     for (std::size_t i = 0; i < result.trees.size(); ++i)
-        trees.trees.push_back({i == 0 ? "start" : "goal", result.trees[i].points,
-                               result.trees[i].parents});
+        trees.trees.push_back(
+            {i == 0 ? "start" : "goal", result.trees[i].points, result.trees[i].parents});
     io::write_trees(arguments.trees, trees);
 }
 
@@ -158,10 +158,14 @@ void report(const Arguments& arguments, const core::SolveResult& result) {
 
 ExitCode exit_code(core::SolveStatus status) {
     switch (status) {
-        case core::SolveStatus::solved: return ExitCode::done;
-        case core::SolveStatus::timeout: return ExitCode::no;
-        case core::SolveStatus::infeasible: return ExitCode::infeasible;
-        case core::SolveStatus::interrupted: return ExitCode::interrupted;
+        case core::SolveStatus::solved:
+            return ExitCode::done;
+        case core::SolveStatus::timeout:
+            return ExitCode::no;
+        case core::SolveStatus::infeasible:
+            return ExitCode::infeasible;
+        case core::SolveStatus::interrupted:
+            return ExitCode::interrupted;
     }
     return ExitCode::internal;
 }

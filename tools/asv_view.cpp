@@ -48,8 +48,9 @@ void add_options(CLI::App& app, Arguments& arguments) {
         ->allow_extra_args(false);
     app.add_option("--trees", arguments.trees, "Search trees, as asv-solve --trees writes them");
     app.add_option("--stats", arguments.stats,
-                   "Show planner and lower bound from a file of asv-solve --stats");
-    app.add_option("--bound", arguments.bound, "Show this lower bound of the cost")
+                   "Show the planner, and take the lower bound, from a file of asv-solve --stats");
+    app.add_option("--bound", arguments.bound,
+                   "Show this lower bound of the cost instead of computing one")
         ->check(asv::tools::finite_and_not_negative());
     app.add_option("--theme", arguments.theme,
                    "Colours of pictures: light or dark (the player follows its reader)")

@@ -58,7 +58,8 @@ class Chain {
         const double ahead = k < j ? 1.0 : (k == j ? s : 0.0);
         return ahead + anchor_lever_[k];
     }
-    /// The part of lever() that the anchor causes: 0, or minus the share of the ASVs behind broom k.
+    /// The part of lever() that the anchor causes: 0, or minus the share of the ASVs behind broom
+    /// k.
     std::span<const double> anchor_lever() const { return anchor_lever_; }
     /// The derivative of the first heading coordinate's offset by turn i: heading of broom 1 is
     /// row[2] - sum of share[i] * row[3 + i].

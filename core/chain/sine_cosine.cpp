@@ -19,7 +19,8 @@ constexpr double round_to_integer = 0x1.8p52;
 
 // Written without branches, so that the compiler turns the loop into vector code; the clones give
 // the same bits, since nothing is fused (-ffp-contract=off).
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 __attribute__((target_clones("default", "avx2", "avx512f")))
 #endif
 void sine_cosine(std::span<const double> angle, std::span<double> sine, std::span<double> cosine) {
@@ -34,22 +35,21 @@ void sine_cosine(std::span<const double> angle, std::span<double> sine, std::spa
             ((in[i] - quarters * half_pi_1) - quarters * half_pi_2) - quarters * half_pi_3;
         const double z = r * r;
         // Minimax polynomials on [-pi/4, pi/4] (the coefficients of Sun's fdlibm k_sin, k_cos).
-        const double s =
-            r + r * z *
-                    (-1.66666666666666324348e-01 +
-                     z * (8.33333333332248946124e-03 +
-                          z * (-1.98412698298579493134e-04 +
-                               z * (2.75573137070700676789e-06 +
-                                    z * (-2.50507602534068634195e-08 +
-                                         z * 1.58969099521155010221e-10)))));
+        const double s = r + r * z *
+                                 (-1.66666666666666324348e-01 +
+                                  z * (8.33333333332248946124e-03 +
+                                       z * (-1.98412698298579493134e-04 +
+                                            z * (2.75573137070700676789e-06 +
+                                                 z * (-2.50507602534068634195e-08 +
+                                                      z * 1.58969099521155010221e-10)))));
         const double c =
-            (1 - 0.5 * z) +
-            z * z *
-                (4.16666666666666019037e-02 +
-                 z * (-1.38888888888741095749e-03 +
-                      z * (2.48015872894767294178e-05 +
-                           z * (-2.75573143513906633035e-07 +
-                                z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11)))));
+            (1 - 0.5 * z) + z * z *
+                                (4.16666666666666019037e-02 +
+                                 z * (-1.38888888888741095749e-03 +
+                                      z * (2.48015872894767294178e-05 +
+                                           z * (-2.75573143513906633035e-07 +
+                                                z * (2.08757232129817482790e-09 +
+                                                     z * -1.13596475577881948265e-11)))));
         // The quarter q mod 4 as a number in {-2, -1, 0, 1, 2}.
         const double turns = (quarters * 0.25 + round_to_integer) - round_to_integer;
         const double q = quarters - 4 * turns;

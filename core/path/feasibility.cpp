@@ -75,13 +75,10 @@ Feasibility check_separation(const Problem& problem) {
     if (!separated) return {};
     const auto proven = find_separated(problem, Reading::literal);
     const std::string asv = "ASV " + std::to_string(proven.value_or(*separated) + 1);
-    if (proven) {
-        return {Infeasibility::separated, proven,
-                "obstacles separate the start of " + asv + " from its goal"};
-    }
-    return {Infeasibility::separated_by_touching_obstacles, separated,
-            "obstacles that touch each other or the border separate the start of " + asv +
-                " from its goal"};
+    const std::string separate = "obstacles separate the start of " + asv + " from its goal";
+    if (proven) return {Infeasibility::separated, proven, separate};
+    return {Infeasibility::separated_as_intended, separated,
+            separate + ", unless it slips through where only the tolerance leaves a way"};
 }
 
 Feasibility check_feasibility(const Problem& problem) {

@@ -17,10 +17,10 @@ enum class Infeasibility {
     opposite_orientation,
     /// An ASV's start and goal are in different components of the free space.
     separated,
-    /// Likewise, but for gaps of two tolerances between obstacles that touch, through which a chain
-    /// of this length might squeeze. No path exists that meets the requirements with tolerance 0,
-    /// nor one that a planner could find; the validator might still accept one.
-    separated_by_touching_obstacles
+    /// Likewise, by Reading::intended. There is no path for a chain that moves continuously and
+    /// does not squeeze between obstacles that touch; the validator might accept one that does or
+    /// that jumps over a thin obstacle.
+    separated_as_intended
 };
 
 struct Feasibility {
@@ -30,8 +30,7 @@ struct Feasibility {
 
     /// Is it proven that the validator accepts no path, not even one that jumps or squeezes?
     bool proven_infeasible() const {
-        return cause != Infeasibility::none &&
-               cause != Infeasibility::separated_by_touching_obstacles;
+        return cause != Infeasibility::none && cause != Infeasibility::separated_as_intended;
     }
 };
 

@@ -1,44 +1,141 @@
 #include "asv/core/path/improve.hpp"
 
 #include "asv/core/path/shorten.hpp"
+#include "asv/core/path/taut.hpp"
 
 namespace asv::core {
 
 namespace {
 
-/// So many attempts in a row without a gain, and the path is as short as shortcuts make it.
-constexpr int patience = 400;
+/// So many shortcuts in a row without a gain, and it is time for the other method.
+constexpr int patience = 60;
+/// Spacings of the way points of a path that is pulled taut, from coarse to fine.
+constexpr double spacings[] = {0.1, 0.05, 0.025};
+/// Sweeps at one spacing, and the share of the cost that a sweep has to gain to go on.
+constexpr int most_sweeps = 30;
+constexpr double least_gain = 2e-4;
+/// A round of everything that gains less than this share of the cost is the last one.
+constexpr double least_round_gain = 1e-4;
+/// A path that shortcuts leave so many times as long as the best one is not worth pulling taut.
+constexpr double hopeless = 1.25;
+/// Searches in a row that fail before no more are tried.
+constexpr int most_failures = 5;
 
-/// Microseconds, roughly, of what was done so far: measured on a 2.8 GHz core.
-double work_done(const MotionChecker& checker, const SlideSteering& steering) {
-    const auto n = static_cast<double>(checker.chain().asv_count());
-    return static_cast<double>(checker.state_checks()) * (0.1 + 0.05 * n) +
-           static_cast<double>(steering.steps()) * (0.5 + 0.25 * n);
-}
+/// One call of improve().
+class Improvement {
+  public:
+    Improvement(MotionChecker& checker, const Metric& metric, SlideSteering& steering, double work,
+                const Limits& limits, Rng& rng, const std::function<void(double)>& on_better)
+        : checker_(checker),
+          steering_(steering),
+          taut_(checker, metric),
+          limits_(limits),
+          rng_(rng),
+          on_better_(on_better),
+          cost_(checker.chain()),
+          end_(spent() + work) {}
+
+    Rows run(Rows path, const std::function<AnotherPath(Rng&)>& another) {
+        shorten(std::move(path));
+        int failures = 0;
+        while (another && failures < most_failures && !exhausted()) {
+            AnotherPath other = another(rng_);
+            end_ -= other.work;
+            failures = other.path.empty() ? failures + 1 : 0;
+            if (!other.path.empty()) shorten(std::move(other.path));
+        }
+        return std::move(best_path_);
+    }
+
+  private:
+    double spent() const {
+        return work_of(checker_.state_checks(), steering_.steps() + taut_.steps(),
+                       checker_.chain().asv_count());
+    }
+
+    bool exhausted() const { return spent() >= end_ || limits_.expired(); }
+
+    /// Both methods by turns, until neither gains.
+    void shorten(Rows path) {
+        path_ = std::move(path);
+        current_ = cost_.path(path_);
+        if (best_path_.empty()) {
+            best_path_ = path_;
+            best_ = current_;
+        }
+        for (double before = 0; before != current_ && !exhausted();) {
+            before = current_;
+            shortcut();
+            if (current_ > hopeless * best_) return;
+            for (const double spacing : spacings) pull_taut(spacing);
+            if (before - current_ < least_round_gain * current_) return;
+        }
+    }
+
+    void shortcut() {
+        const Bridge straight = [&](auto from, auto to, Rows& between) {
+            if (!checker_.valid(from, to)) return false;
+            between.assign(to.begin(), to.end());
+            return true;
+        };
+        const Bridge slide = [&](auto from, auto to, Rows& between) {
+            return steering_.slide(from, to, between) == Steered::reached;
+        };
+        Shortcutter shortcutter(checker_.chain(), path_);
+        for (int failures = 0; failures < patience && !exhausted();) {
+            const double shares[] = {1.0, 0.5, 0.25, 0.1};
+            const double share = shares[rng_.below(4)];
+            const bool gained =
+                shortcutter.attempt(rng_.chance(0.5) ? straight : slide, share, rng_);
+            failures = gained ? 0 : failures + 1;
+            if (gained) keep(shortcutter.path());
+        }
+    }
+
+    void pull_taut(double spacing) {
+        Rows path = taut_.resample(path_, spacing);
+        for (int sweep = 0; sweep < most_sweeps && !exhausted(); ++sweep)
+            if (taut_.sweep(path) < least_gain * current_) break;
+        taut_.simplify(path);
+        keep(path);
+    }
+
+    void keep(const Rows& path) {
+        const double cost = cost_.path(path);
+        if (cost >= current_) return;
+        current_ = cost;
+        path_ = path;
+        if (current_ >= best_) return;
+        best_ = current_;
+        best_path_ = path_;
+        if (on_better_) on_better_(best_);
+    }
+
+    MotionChecker& checker_;
+    SlideSteering& steering_;
+    TautPuller taut_;
+    const Limits& limits_;
+    Rng& rng_;
+    const std::function<void(double)>& on_better_;
+    MotionCost cost_;
+    Rows path_, best_path_;
+    double current_ = 0, best_ = 0;  ///< costs of path_ and best_path_
+    double end_;
+};
 
 }  // namespace
 
-Rows improve(Rows path, MotionChecker& checker, SlideSteering& steering, double work,
-             const Limits& limits, Rng& rng, const std::function<void(double)>& on_better) {
-    Shortcutter shortcutter(checker.chain(), std::move(path));
-    const Bridge straight = [&](auto from, auto to, Rows& between) {
-        if (!checker.valid(from, to)) return false;
-        between.assign(to.begin(), to.end());
-        return true;
-    };
-    const Bridge slide = [&](auto from, auto to, Rows& between) {
-        return steering.slide(from, to, between) == Steered::reached;
-    };
-    const double end = work_done(checker, steering) + work;
-    int failures = 0;
-    while (failures < patience && work_done(checker, steering) < end && !limits.expired()) {
-        const double shares[] = {1.0, 0.5, 0.25, 0.1};
-        const double share = shares[rng.below(4)];
-        const bool gained = shortcutter.attempt(rng.chance(0.5) ? straight : slide, share, rng);
-        failures = gained ? 0 : failures + 1;
-        if (gained && on_better) on_better(shortcutter.cost());
-    }
-    return shortcutter.path();
+double work_of(std::uint64_t state_checks, std::uint64_t constrained_steps, std::size_t asv_count) {
+    const auto n = static_cast<double>(asv_count);
+    return static_cast<double>(state_checks) * (0.1 + 0.05 * n) +
+           static_cast<double>(constrained_steps) * (1 + 0.5 * n);
+}
+
+Rows improve(Rows path, MotionChecker& checker, const Metric& metric, SlideSteering& steering,
+             const std::function<AnotherPath(Rng&)>& another, double work, const Limits& limits,
+             Rng& rng, const std::function<void(double)>& on_better) {
+    return Improvement(checker, metric, steering, work, limits, rng, on_better)
+        .run(std::move(path), another);
 }
 
 }  // namespace asv::core

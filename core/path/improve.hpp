@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 
@@ -10,11 +11,24 @@
 
 namespace asv::core {
 
-/// Shortens a path by shortcuts, straight and sliding ones, of all lengths, until the work is spent
-/// or nothing more is gained. Work is counted, not timed, so that the same seed gives the same path
-/// on every machine: one unit is about a microsecond. The limits end it early.
-/// Returns the better path; on_better is told the cost of each.
-Rows improve(Rows path, MotionChecker& checker, SlideSteering& steering, double work,
-             const Limits& limits, Rng& rng, const std::function<void(double)>& on_better = {});
+/// Another path between the same ends, from a new search, and the work that it took; the path is
+/// empty where the search failed. See work_of().
+struct AnotherPath {
+    Rows path;
+    double work = 0;
+};
+
+/// Microseconds of a 2.8 GHz core, roughly, that so many state checks and constrained steps take
+/// for n ASVs. Work is counted, not timed, so that the same seed gives the same path on every
+/// machine.
+double work_of(std::uint64_t state_checks, std::uint64_t constrained_steps, std::size_t asv_count);
+
+/// Shortens a path until the work is spent: by turns with shortcuts (straight and sliding ones, of
+/// all lengths) and by pulling it taut; once that gains nothing more, the same with other paths,
+/// which may pass the obstacles on other sides (restart and shortcut: Luna and others, 2013). The
+/// limits end it early. Returns the best path; on_better is told the cost of each.
+Rows improve(Rows path, MotionChecker& checker, const Metric& metric, SlideSteering& steering,
+             const std::function<AnotherPath(Rng&)>& another, double work, const Limits& limits,
+             Rng& rng, const std::function<void(double)>& on_better = {});
 
 }  // namespace asv::core

@@ -8,8 +8,8 @@
 namespace asv::core {
 
 /// Turns a path of configurations into primitive steps: states of which neighbours are as far apart
-/// as the limit allows (the fastest ASV moves max_step), from exactly the problem's start to exactly
-/// its goal, whose brooms may be off by the rounding of the file.
+/// as the limit allows (the fastest ASV moves max_step), from exactly the problem's start to
+/// exactly its goal, whose brooms may be off by the rounding of the file.
 ///
 /// A step ends at a way point only where cutting past it cannot be proven valid.
 /// Precondition: rows lead from the start to the goal of the problem by proven motions of the

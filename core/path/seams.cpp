@@ -140,22 +140,20 @@ bool is_impassable(const Seam& seam, const Problem& problem) {
     const auto n = static_cast<double>(problem.asv_count());
     if (n < 3) return false;
     const double margin = r.broom_length / 20;
-    const double longest = r.broom_length + r.tolerance;
-    const double shortest = r.broom_length - r.tolerance;
+    const double broom = r.broom_length + r.tolerance;
     const double inside = seam.depth / 2 - (r.max_step + r.tolerance) / 2 - margin;
     if (inside < 0 || seam.width >= margin) return false;
     const double steep = std::asin(std::max(0.0, seam.width) / margin);
-    const double reached = std::floor(inside / longest) + 1;
-    const double brooms =
-        std::min(std::floor((n - 1) / 2), reached) + std::min(std::ceil((n - 1) / 2), reached);
-    const double length = (n - 1) * longest;
-    const double fold = 2 * steep + n * r.tolerance;
-    const double chord = brooms * shortest * std::cos(steep);
-    const double beside = std::pow(brooms * longest, 2) * std::tan(steep) / 4;
-    const double straight = (length * length - chord * chord) / 4 + beside;
-    const double folded = 2 * length * length * std::sin(std::min(fold, std::numbers::pi / 2));
+    const double on_one_side = std::floor(inside / broom) + 1;
+    const double count = std::min(std::floor((n - 1) / 2), on_one_side) +
+                         std::min(std::ceil((n - 1) / 2), on_one_side);
+    const double chain = (n - 1) * broom;
+    const double row = count * broom;
+    const double straight = (chain * chain - row * row * (1 - std::tan(steep))) / 4;
+    const double widened = std::min(2 * steep + n * r.tolerance, std::numbers::pi / 2);
+    const double folded = 2 * chain * chain * std::sin(widened);
     const double required = r.minimum_area(problem.asv_count()) - r.tolerance;
-    return std::max(folded, straight) < required;
+    return std::max(folded, straight) < required * (1 - 1e-9);
 }
 
 }  // namespace asv::core

@@ -46,10 +46,10 @@ std::vector<Seam> find_seams(const Problem& problem, double shrink);
 ///   sign, those below e aside, and sum up to 2 pi. So the headings of all sides lie in a half
 ///   plane widened by eps = 2 phi + n e; since the sides sum up to zero, they are steep, and the
 ///   area is at most 2 l^2 sin(eps), where l is the greatest length of the chain.
-/// - Otherwise these q brooms run along a chord of c >= q b cos(phi). Whatever way the rest of the
-///   chain, at most l - c long, goes on from the two ends of the chord, the area is at most
-///   (l^2 - c^2) / 4: the integral of |r x dr| / 2, r from one end of the chord. The brooms and the
-///   chord enclose at most (q b)^2 tan(phi) / 4 more.
+/// - Otherwise these q brooms lead along a chord of at most s, q times the greatest length of a
+///   broom. Whatever way the rest of the chain, at most l - s long, goes on from both ends of the
+///   chord, the area is at most (l^2 - s^2) / 4: the integral of |r x dr| / 2, r from one end of
+///   the chord. The brooms and the chord enclose at most s^2 tan(phi) / 4 more.
 /// If both are less than the area that is required, j never gets there. The paths of the others can
 /// be deformed into that of j along the brooms of the start, of the goal, and in between: so no
 /// shortest path among them needs the seam, if no broom of start or goal lies in it.

@@ -53,7 +53,8 @@ bool Shortcutter::attempt(const Bridge& bridge, double most_share, Rng& rng) {
     configuration(first, from_);
     configuration(last, to_);
     if (from_start) std::copy_n(path_.begin(), dimension_, from_.begin());
-    if (to_goal) std::copy(path_.end() - static_cast<std::ptrdiff_t>(dimension_), path_.end(), to_.begin());
+    if (to_goal)
+        std::copy(path_.end() - static_cast<std::ptrdiff_t>(dimension_), path_.end(), to_.begin());
     between_.clear();
     if (!bridge(from_, to_, between_)) return false;
     double replaced = 0;
@@ -65,8 +66,9 @@ bool Shortcutter::attempt(const Bridge& bridge, double most_share, Rng& rng) {
     }
     if (replaced > end - std::max(begin, 0.0) - least_gain * cost()) return false;
 
-    Rows joined(path_.begin(), path_.begin() + static_cast<std::ptrdiff_t>(
-                                                   (first.after + (first.fraction > 0 ? 1 : 0)) * dimension_));
+    Rows joined(path_.begin(),
+                path_.begin() + static_cast<std::ptrdiff_t>(
+                                    (first.after + (first.fraction > 0 ? 1 : 0)) * dimension_));
     if (from_start) joined.clear();
     joined.insert(joined.end(), from_.begin(), from_.end());
     joined.insert(joined.end(), between_.begin(), between_.end());

@@ -27,7 +27,8 @@ std::size_t NearestNeighbours::nearest(std::span<const double> row) const {
     float least = std::numeric_limits<float>::infinity();
     const std::size_t d = scales_.size();
     const std::size_t wrapping = wrapping_.value_or(d);
-    const auto period = wrapping < d ? static_cast<float>(2 * std::numbers::pi * scales_[wrapping]) : 1.f;
+    const auto period =
+        wrapping < d ? static_cast<float>(2 * std::numbers::pi * scales_[wrapping]) : 1.f;
     const float inverse = 1 / period;
     constexpr float round_to_integer = 12582912.f;  // 1.5 * 2^23
     for (std::size_t start = 0; start < size_; start += lanes) {
@@ -39,7 +40,8 @@ std::size_t NearestNeighbours::nearest(std::span<const double> row) const {
             if (i == wrapping) {
                 for (std::size_t l = 0; l < lanes; ++l) {
                     float difference = values[l] - q;
-                    difference -= period * ((difference * inverse + round_to_integer) - round_to_integer);
+                    difference -=
+                        period * ((difference * inverse + round_to_integer) - round_to_integer);
                     sum[l] += difference * difference;
                 }
             } else {

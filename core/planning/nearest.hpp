@@ -7,8 +7,8 @@
 
 namespace asv::core {
 
-/// Nearest neighbours among a growing set of rows, Euclidean after scaling; one coordinate may be an
-/// angle that wraps at 2 pi. Few rows are scanned, many of them at a time.
+/// Nearest neighbours among a growing set of rows, Euclidean after scaling; one coordinate may be
+/// an angle that wraps at 2 pi. Few rows are scanned, many of them at a time.
 class NearestNeighbours {
   public:
     /// scales: what each coordinate is multiplied by; wrapping: the index of the angle, if any.

@@ -29,8 +29,8 @@ enum class Steered {
 /// What a search found and what it spent.
 struct SearchResult {
     Outcome outcome = Outcome::iterations;
-    Rows path;                    ///< from start to goal; empty unless solved
-    std::vector<Tree> trees;      ///< that of the start, that of the goal
+    Rows path;                ///< from start to goal; empty unless solved
+    std::vector<Tree> trees;  ///< that of the start, that of the goal
     std::size_t iterations = 0;
 };
 

@@ -11,9 +11,9 @@ namespace asv::core {
 
 /// Who grows toward what in one iteration of the bidirectional search.
 enum class GrowthOrder {
-    both_to_sample,       ///< both trees toward the sample
-    start_then_goal,      ///< the start tree to the sample, the goal tree to where that came
-    goal_then_start       ///< the goal tree to the sample, the start tree to where that came
+    both_to_sample,   ///< both trees toward the sample
+    start_then_goal,  ///< the start tree to the sample, the goal tree to where that came
+    goal_then_start   ///< the goal tree to the sample, the start tree to where that came
 };
 
 struct RrtConnectOptions {
@@ -40,8 +40,8 @@ SearchResult rrt_connect(Space& space, const Query& query, const RrtConnectOptio
         const auto answer = trees.grow(1 - first, chase ? std::span<const double>(met) : target);
         const bool both = chase || grown.outcome == Steered::reached;
         if (!both || answer.outcome != Steered::reached) return false;
-        result.path = first == 0 ? trees.join(grown.last, answer.last)
-                                 : trees.join(answer.last, grown.last);
+        result.path =
+            first == 0 ? trees.join(grown.last, answer.last) : trees.join(answer.last, grown.last);
         return true;
     };
 
@@ -58,9 +58,15 @@ SearchResult rrt_connect(Space& space, const Query& query, const RrtConnectOptio
         const GrowthOrder order = options.orders[result.iterations++ % options.orders.size()];
         if (!space.sample(rng, sample)) continue;
         switch (order) {
-            case GrowthOrder::both_to_sample: met = meet(0, sample, false); break;
-            case GrowthOrder::start_then_goal: met = meet(0, sample, true); break;
-            case GrowthOrder::goal_then_start: met = meet(1, sample, true); break;
+            case GrowthOrder::both_to_sample:
+                met = meet(0, sample, false);
+                break;
+            case GrowthOrder::start_then_goal:
+                met = meet(0, sample, true);
+                break;
+            case GrowthOrder::goal_then_start:
+                met = meet(1, sample, true);
+                break;
         }
     }
     if (met) result.outcome = Outcome::solved;

@@ -17,27 +17,26 @@ namespace asv::core {
 
 /// Settings of the search by slides and pulls.
 struct SlidePullOptions {
-    double pull_share = 0.5;          ///< of the iterations that pull instead of sampling
-    double passage_share = 0.5;       ///< of the pulls whose target lies in a passage
-    std::size_t pull_candidates = 24; ///< nodes of which the most promising one is pulled
+    double pull_share = 0.5;           ///< of the iterations that pull instead of sampling
+    double passage_share = 0.5;        ///< of the pulls whose target lies in a passage
+    std::size_t pull_candidates = 24;  ///< nodes of which the most promising one is pulled
 };
 
 /// A space whose body can be dragged by one of its points.
 template <class Space>
-concept PullableSpace =
-    ConfigurationSpace<Space> &&
+concept PullableSpace = ConfigurationSpace<Space> &&
     requires(Space& space, Rng& rng, std::span<const double> row, std::size_t asv,
              const geometry::Point& point, Rows& visited) {
-        { space.asv_count() } -> std::convertible_to<std::size_t>;
-        { space.pull_target(rng, 0.5) } -> std::same_as<std::optional<geometry::Point>>;
-        { space.position(row, asv) } -> std::same_as<geometry::Point>;
-        { space.pull(row, asv, point, visited) } -> std::same_as<Steered>;
-    };
+    { space.asv_count() } -> std::convertible_to<std::size_t>;
+    { space.pull_target(rng, 0.5) } -> std::same_as<std::optional<geometry::Point>>;
+    { space.position(row, asv) } -> std::same_as<geometry::Point>;
+    { space.pull(row, asv, point, visited) } -> std::same_as<Steered>;
+};
 
-/// The planner that is on by default: two trees, the smaller one grows, half of the time by steering
-/// toward a sample (RRT-Connect with sliding), half of the time by dragging one end of the chain to
-/// a point of the plane, which is what gets the head of a long chain into the mouth of a corridor;
-/// the other tree then tries to connect to where that came.
+/// The planner that is on by default: two trees, the smaller one grows, half of the time by
+/// steering toward a sample (RRT-Connect with sliding), half of the time by dragging one end of the
+/// chain to a point of the plane, which is what gets the head of a long chain into the mouth of a
+/// corridor; the other tree then tries to connect to where that came.
 template <PullableSpace Space>
 SearchResult slide_pull(Space& space, const Query& query, const SlidePullOptions& options,
                         const Limits& limits, Rng& rng, const Observer& observer = {}) {

@@ -40,9 +40,9 @@ double clearance(const Pose& pose, const Box& box) {
     if (pose.x.size() == 1) return geometry::distance(Point{pose.x[0], pose.y[0]}, box);
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k + 1 < pose.x.size(); ++k)
-        least = std::min(least, geometry::distance(Segment{{pose.x[k], pose.y[k]},
-                                                           {pose.x[k + 1], pose.y[k + 1]}},
-                                                   box));
+        least = std::min(least,
+                         geometry::distance(
+                             Segment{{pose.x[k], pose.y[k]}, {pose.x[k + 1], pose.y[k + 1]}}, box));
     return least;
 }
 
@@ -72,7 +72,7 @@ ChainConstraints make_constraints(const Problem& problem, const Chain& chain,
     for (const Box& box : problem.obstacles) {
         const Box shrunk = geometry::grown(box, -e);
         if (geometry::is_empty(shrunk)) continue;
-        const auto to_box = [&](const Pose& pose) { return clearance(pose, box) ; };
+        const auto to_box = [&](const Pose& pose) { return clearance(pose, box); };
         double margin = kept(0, margins.length, to_box);
         // An end that is inside the box by rounding is still outside the shrunk one.
         if (margin < 0)
@@ -89,8 +89,10 @@ ChainConstraints make_constraints(const Problem& problem, const Chain& chain,
     const Box& b = required.bounds;
     result.bounds.low.x = kept(b.low.x, margins.length, [&](auto& p) { return extreme(p.x, 1); });
     result.bounds.low.y = kept(b.low.y, margins.length, [&](auto& p) { return extreme(p.y, 1); });
-    result.bounds.high.x = -kept(-b.high.x, margins.length, [&](auto& p) { return extreme(p.x, -1); });
-    result.bounds.high.y = -kept(-b.high.y, margins.length, [&](auto& p) { return extreme(p.y, -1); });
+    result.bounds.high.x =
+        -kept(-b.high.x, margins.length, [&](auto& p) { return extreme(p.x, -1); });
+    result.bounds.high.y =
+        -kept(-b.high.y, margins.length, [&](auto& p) { return extreme(p.y, -1); });
     if (chain.asv_count() < 3) return result;
 
     const double least_area = required.minimum_area(chain.asv_count());

@@ -8,9 +8,10 @@
 
 namespace asv::core {
 
-/// The requirements as the planner keeps them: a little stricter than the assignment (a margin), but
-/// never stricter than what the start and the goal themselves meet, so that both belong to the
-/// valid set and can be left. For counter-clockwise chains; clockwise problems are transposed first.
+/// The requirements as the planner keeps them: a little stricter than the assignment (a margin),
+/// but never stricter than what the start and the goal themselves meet, so that both belong to the
+/// valid set and can be left. For counter-clockwise chains; clockwise problems are transposed
+/// first.
 struct ChainConstraints {
     std::vector<Box> boxes;         ///< obstacles grown by their own margin
     Box bounds;                     ///< where every ASV has to be
@@ -24,10 +25,10 @@ struct ChainConstraints {
 
 /// How far the planner keeps from the limits where start and goal allow it.
 struct Margins {
-    double length = 1e-5;        ///< to obstacles and bounds: more than a step's chord cuts off
-    double relative_area = 1e-6; ///< of the minimum area
-    double closing = 0.004;      ///< least closing side; a shorter one made the only invalid paths
-    double slack = 1e-11;        ///< room that start and goal get: above rounding, below any tolerance
+    double length = 1e-5;         ///< to obstacles and bounds: more than a step's chord cuts off
+    double relative_area = 1e-6;  ///< of the minimum area
+    double closing = 0.004;       ///< least closing side; a shorter one made the only invalid paths
+    double slack = 1e-11;  ///< room that start and goal get: above rounding, below any tolerance
 };
 
 /// Precondition: start and goal of the problem are valid and counter-clockwise.

@@ -147,7 +147,8 @@ double ClassicSpace::farthest_motion(std::span<const double> a, std::span<const 
     world_.chain.forward(b, other_pose_);
     double most = 0;
     for (std::size_t j = 0; j < pose_.x.size(); ++j)
-        most = std::max(most, std::hypot(pose_.x[j] - other_pose_.x[j], pose_.y[j] - other_pose_.y[j]));
+        most = std::max(most,
+                        std::hypot(pose_.x[j] - other_pose_.x[j], pose_.y[j] - other_pose_.y[j]));
     return most;
 }
 

@@ -9,8 +9,8 @@
 
 namespace asv::core {
 
-/// A diagonal metric of C-space that means motion: a displacement of length s moves the ASVs by about
-/// s (root mean square), averaged over some reference shapes. Coordinates times scale() are
+/// A diagonal metric of C-space that means motion: a displacement of length s moves the ASVs by
+/// about s (root mean square), averaged over some reference shapes. Coordinates times scale() are
 /// Euclidean, which is what the trees and the constrained steps work in.
 class Metric {
   public:

@@ -8,8 +8,12 @@ namespace asv::core {
 
 namespace {
 
-/// Coordinates are around 1, so a gap of a few of them is right to 1e-15; what is less is no room.
+/// Coordinates are around 1, so a gap of a few of them is right to some 1e-15: what is less is no
+/// room at an obstacle, and no violation of the shape.
 constexpr double rounding = 1e-14;
+
+/// Among many boxes, how far a moment may prove at most, in mean distances of the boxes.
+constexpr double most_spacings = 2;
 
 /// A gap of the line that is shorter than this motion and still open counts as blocked.
 constexpr double finest_motion = 1e-7;
@@ -42,7 +46,9 @@ MotionChecker::MotionChecker(const Chain& chain, const ChainConstraints& constra
         array->resize(chain.asv_count());
 }
 
-bool MotionChecker::valid(std::span<const double> row) { return prove(row, row, 1, true) >= 1; }
+bool MotionChecker::valid(std::span<const double> row) {
+    return prove(row, row, 1, true) >= 1;
+}
 
 bool MotionChecker::valid(std::span<const double> from, std::span<const double> to) {
     return prove(from, to, 1, true) >= 1;
@@ -59,6 +65,7 @@ double MotionChecker::prove(std::span<const double> from, std::span<const double
     begin_line(from, to);
     const Reach last = reach(1, 1, 0);
     bool blocked = last.back < 0;
+    double blocked_at = 1;  // the first parameter that is known to be invalid, if there is one
     if (blocked && only_yes) return -1;
     if (last.back >= 1) return 1;
     const Reach first = reach(0, 0, blocked ? 1 : 1 - last.back);
@@ -71,12 +78,14 @@ double MotionChecker::prove(std::span<const double> from, std::span<const double
         gaps_.pop_back();
         const double length = gap.end - gap.begin;
         if (length <= 0) continue;
-        if (length * speed_bound_ <= (blocked && gaps_.empty() ? resolution : finest_motion)) return gap.begin;
+        if (length * speed_bound_ <= (blocked && gaps_.empty() ? resolution : finest_motion))
+            return gap.begin;
         const double middle = 0.5 * (gap.begin + gap.end);
         const Reach proven = reach(middle, middle - gap.begin, gap.end - middle);
         if (proven.back < 0) {
             if (only_yes) return gap.begin;
             blocked = true;
+            blocked_at = middle;
             gaps_.clear();
             gaps_.push_back({gap.begin, middle});
             continue;
@@ -86,7 +95,8 @@ double MotionChecker::prove(std::span<const double> from, std::span<const double
         if (proven.ahead < gap.end - middle) gaps_.push_back({middle + proven.ahead, gap.end});
         if (proven.back < middle - gap.begin) gaps_.push_back({gap.begin, middle - proven.back});
     }
-    return 1;
+    // Proven right up to a state that is invalid by rounding alone.
+    return blocked ? std::nextafter(blocked_at, 0.0) : 1;
 }
 
 void MotionChecker::begin_line(std::span<const double> from, std::span<const double> to) {
@@ -96,9 +106,10 @@ void MotionChecker::begin_line(std::span<const double> from, std::span<const dou
     chain_.heading_rates(step_, heading_rate_);
     const double length = chain_.broom_length();
     const std::size_t brooms = chain_.broom_count();
-    // |p_j'| <= |anchor'| + L sum |lever| |rate|, |p_j''| <= L sum |lever| rate^2. Levers change by 1
-    // from ASV to ASV, so the sums are carried along the chain.
-    double speed = 0, acceleration = 0, sum = 0, sum_of_squares = 0, spread_first = 0, spread_last = 0;
+    // |p_j'| <= |anchor'| + L sum |lever| |rate|, |p_j''| <= L sum |lever| rate^2. Levers change by
+    // 1 from ASV to ASV, so the sums are carried along the chain.
+    double speed = 0, acceleration = 0, sum = 0, sum_of_squares = 0, spread_first = 0,
+           spread_last = 0;
     for (std::size_t k = 0; k < brooms; ++k) {
         const double rate = heading_rate_[k];
         speed += std::abs(chain_.lever(0, 0, k) * rate);
@@ -121,37 +132,25 @@ void MotionChecker::begin_line(std::span<const double> from, std::span<const dou
         acceleration_[j] = length * acceleration;
     }
     speed_bound_ = std::hypot(step_[0], step_[1]) + length * greatest_speed;
-    // The closing turns are L sum sin(heading_k - heading_end) and the area is L^2 / 2 times the sum
-    // of sin(heading_j - heading_i) over i < j; a sine of a linear function has |''| <= rate^2.
+    // The closing turns are L sum sin(heading_k - heading_end) and the area is L^2 / 2 times the
+    // sum of sin(heading_j - heading_i) over i < j; a sine of a linear function has |''| <= rate^2.
     turn_curvature_first_ = length * spread_first;
     turn_curvature_last_ = length * spread_last;
     area_curvature_ = 0.5 * length * length *
                       std::max(0.0, static_cast<double>(brooms) * sum_of_squares - sum * sum);
     closing_curvature_ = length * sum_of_squares;
-    boxes_ = field_.few() ? &field_.all() : &field_.near(swept_region(), near_);
-}
-
-geometry::Box MotionChecker::swept_region() {
-    // An ASV strays from the chord between its two ends by at most |p''| / 8.
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    geometry::Box region{{infinity, infinity}, {-infinity, -infinity}};
-    for (const auto& end : {from_, to_}) {
-        chain_.forward(end, pose_);
-        for (std::size_t j = 0; j < chain_.asv_count(); ++j) {
-            const double stray = 0.125 * acceleration_[j] + rounding;
-            region.low.x = std::min(region.low.x, pose_.x[j] - stray);
-            region.low.y = std::min(region.low.y, pose_.y[j] - stray);
-            region.high.x = std::max(region.high.x, pose_.x[j] + stray);
-            region.high.y = std::max(region.high.y, pose_.y[j] + stray);
-        }
-    }
-    return region;
 }
 
 MotionChecker::Reach MotionChecker::reach(double t, double back, double ahead) {
     ++state_checks_;
     constexpr Reach invalid{-1, -1};
     move_along(t);
+    if (!field_.few()) {
+        // Among many boxes, only those near by are looked at, so only near by can be proven.
+        const double near = most_spacings * field_.spacing() / std::max(speed_bound_, 1e-300);
+        back = std::min(back, near);
+        ahead = std::min(ahead, near);
+    }
     Reach result{back, ahead};
     for (std::size_t i = 0; i < chain_.turn_count(); ++i) {
         const double turn = row_[3 + i], rate = step_[3 + i];
@@ -195,19 +194,20 @@ bool MotionChecker::shape_reach(Reach& reach) const {
     const double last_ux = pose_.ux.back(), last_uy = pose_.uy.back();
     const double first_rate = heading_rate_.front(), last_rate = heading_rate_.back();
 
-    const double first = cross(rx, ry, first_ux, first_uy) - constraints_.minimum_first_turn;
-    const double first_slope = cross(rvx, rvy, first_ux, first_uy) +
-                               first_rate * cross(rx, ry, -first_uy, first_ux);
+    const double first =
+        cross(rx, ry, first_ux, first_uy) - constraints_.minimum_first_turn + rounding;
+    const double first_slope =
+        cross(rvx, rvy, first_ux, first_uy) + first_rate * cross(rx, ry, -first_uy, first_ux);
     if (!limit(first, first_slope, turn_curvature_first_, reach.back, reach.ahead)) return false;
-    const double last = cross(last_ux, last_uy, rx, ry) - constraints_.minimum_last_turn;
-    const double last_slope = cross(last_ux, last_uy, rvx, rvy) +
-                              last_rate * cross(-last_uy, last_ux, rx, ry);
+    const double last = cross(last_ux, last_uy, rx, ry) - constraints_.minimum_last_turn + rounding;
+    const double last_slope =
+        cross(last_ux, last_uy, rvx, rvy) + last_rate * cross(-last_uy, last_ux, rx, ry);
     if (!limit(last, last_slope, turn_curvature_last_, reach.back, reach.ahead)) return false;
 
     const double closing = std::hypot(rx, ry);
     const double closing_slope = closing > 0 ? (rx * rvx + ry * rvy) / closing : 0;
     // A distance bends upwards where it bends by moving sideways, so only r'' can lower it.
-    if (!limit(closing - constraints_.minimum_closing, closing_slope, closing_curvature_,
+    if (!limit(closing - constraints_.minimum_closing + rounding, closing_slope, closing_curvature_,
                reach.back, reach.ahead))
         return false;
 
@@ -216,13 +216,13 @@ bool MotionChecker::shape_reach(Reach& reach) const {
         const double ax = pose_.x[i - 1] - pose_.x[0], ay = pose_.y[i - 1] - pose_.y[0];
         const double bx = pose_.x[i] - pose_.x[0], by = pose_.y[i] - pose_.y[0];
         twice += cross(ax, ay, bx, by);
-        twice_slope += cross(velocity_x_[i - 1] - velocity_x_[0],
-                             velocity_y_[i - 1] - velocity_y_[0], bx, by) +
-                       cross(ax, ay, velocity_x_[i] - velocity_x_[0],
-                             velocity_y_[i] - velocity_y_[0]);
+        twice_slope +=
+            cross(velocity_x_[i - 1] - velocity_x_[0], velocity_y_[i - 1] - velocity_y_[0], bx,
+                  by) +
+            cross(ax, ay, velocity_x_[i] - velocity_x_[0], velocity_y_[i] - velocity_y_[0]);
     }
-    return limit(0.5 * twice - constraints_.minimum_area, 0.5 * twice_slope, area_curvature_,
-                 reach.back, reach.ahead);
+    return limit(0.5 * twice - constraints_.minimum_area + rounding, 0.5 * twice_slope,
+                 area_curvature_, reach.back, reach.ahead);
 }
 
 bool MotionChecker::bounds_reach(Reach& reach) const {
@@ -239,39 +239,60 @@ bool MotionChecker::bounds_reach(Reach& reach) const {
 }
 
 bool MotionChecker::obstacle_reach(Reach& reach) const {
-    const NearBoxes& boxes = *boxes_;
     const std::size_t pieces = std::max<std::size_t>(chain_.broom_count(), 1);
-    for (std::size_t k = 0; k < pieces; ++k) {
-        const std::size_t other = chain_.broom_count() == 0 ? k : k + 1;
-        const double x0 = std::min(pose_.x[k], pose_.x[other]), x1 = std::max(pose_.x[k], pose_.x[other]);
-        const double y0 = std::min(pose_.y[k], pose_.y[other]), y1 = std::max(pose_.y[k], pose_.y[other]);
-        const double nx = chain_.broom_count() == 0 ? 0 : -pose_.uy[k];
-        const double ny = chain_.broom_count() == 0 ? 0 : pose_.ux[k];
-        const double offset = nx * pose_.x[k] + ny * pose_.y[k];
-        const double speed = std::sqrt(
-            std::max(velocity_x_[k] * velocity_x_[k] + velocity_y_[k] * velocity_y_[k],
-                     velocity_x_[other] * velocity_x_[other] +
-                         velocity_y_[other] * velocity_y_[other]));
-        const double acceleration = std::max(acceleration_[k], acceleration_[other]);
-        const double farther = std::max(reach.back, reach.ahead);
-        const double needed = (speed + 0.5 * acceleration * farther) * farther + rounding;
-        for (std::size_t b = 0; b < boxes.size(); ++b) {
-            const double lx = boxes.low_x[b], ly = boxes.low_y[b];
-            const double hx = boxes.high_x[b], hy = boxes.high_y[b];
-            const double along_x = std::max(lx - x1, x0 - hx);
-            const double along_y = std::max(ly - y1, y0 - hy);
-            const double middle = 0.5 * (nx * (lx + hx) + ny * (ly + hy)) - offset;
-            const double half = 0.5 * (std::abs(nx) * (hx - lx) + std::abs(ny) * (hy - ly));
-            const double gap = std::max(std::max(along_x, along_y), std::abs(middle) - half);
-            if (gap <= needed && !broom_reach(k, b, reach)) return false;
-        }
+    for (std::size_t k = 0; k < pieces; ++k)
+        if (!(field_.few() ? scan_boxes(k, reach) : search_boxes(k, reach))) return false;
+    return true;
+}
+
+/// How far the broom may come within the reach, plus what rounding takes.
+double MotionChecker::farthest_motion(std::size_t k, const Reach& reach) const {
+    const std::size_t other = chain_.broom_count() == 0 ? k : k + 1;
+    const double speed = std::sqrt(std::max(
+        velocity_x_[k] * velocity_x_[k] + velocity_y_[k] * velocity_y_[k],
+        velocity_x_[other] * velocity_x_[other] + velocity_y_[other] * velocity_y_[other]));
+    const double acceleration = std::max(acceleration_[k], acceleration_[other]);
+    const double farther = std::max(reach.back, reach.ahead);
+    return (speed + 0.5 * acceleration * farther) * farther + rounding;
+}
+
+bool MotionChecker::search_boxes(std::size_t k, Reach& reach) const {
+    const std::size_t other = chain_.broom_count() == 0 ? k : k + 1;
+    const geometry::Segment broom{{pose_.x[k], pose_.y[k]}, {pose_.x[other], pose_.y[other]}};
+    bool valid = true;
+    field_.visit_within(broom, farthest_motion(k, reach), [&](const geometry::Box& box) {
+        valid = valid && broom_reach(k, box, reach);
+    });
+    return valid;
+}
+
+/// All boxes against one broom, by the gap along the axis that separates them most.
+bool MotionChecker::scan_boxes(std::size_t k, Reach& reach) const {
+    const NearBoxes& boxes = field_.all();
+    const bool point = chain_.broom_count() == 0;
+    const std::size_t other = point ? k : k + 1;
+    const double x0 = std::min(pose_.x[k], pose_.x[other]),
+                 x1 = std::max(pose_.x[k], pose_.x[other]);
+    const double y0 = std::min(pose_.y[k], pose_.y[other]),
+                 y1 = std::max(pose_.y[k], pose_.y[other]);
+    const double nx = point ? 0 : -pose_.uy[k], ny = point ? 0 : pose_.ux[k];
+    const double offset = nx * pose_.x[k] + ny * pose_.y[k];
+    const double needed = farthest_motion(k, reach);
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+        const double lx = boxes.low_x[b], ly = boxes.low_y[b];
+        const double hx = boxes.high_x[b], hy = boxes.high_y[b];
+        const double along_x = std::max(lx - x1, x0 - hx);
+        const double along_y = std::max(ly - y1, y0 - hy);
+        const double middle = 0.5 * (nx * (lx + hx) + ny * (ly + hy)) - offset;
+        const double half = 0.5 * (std::abs(nx) * (hx - lx) + std::abs(ny) * (hy - ly));
+        const double gap = std::max(std::max(along_x, along_y), std::abs(middle) - half);
+        if (gap <= needed && !broom_reach(k, boxes[b], reach)) return false;
     }
     return true;
 }
 
-bool MotionChecker::broom_reach(std::size_t k, std::size_t b, Reach& reach) const {
+bool MotionChecker::broom_reach(std::size_t k, const geometry::Box& box, Reach& reach) const {
     const std::size_t other = chain_.broom_count() == 0 ? k : k + 1;
-    const geometry::Box box = (*boxes_)[b];
     const double acceleration = std::max(acceleration_[k], acceleration_[other]);
     double back = -1, ahead = -1;
     // Along a fixed axis (ax, ay) both ends of the broom and the support of the box have to stay
@@ -281,7 +302,8 @@ bool MotionChecker::broom_reach(std::size_t k, std::size_t b, Reach& reach) cons
         const double gap_1 = ax * pose_.x[other] + ay * pose_.y[other] - support - rounding;
         if (gap_0 <= 0 || gap_1 <= 0) return;
         double axis_back = reach.back, axis_ahead = reach.ahead;
-        limit(gap_0, ax * velocity_x_[k] + ay * velocity_y_[k], acceleration, axis_back, axis_ahead);
+        limit(gap_0, ax * velocity_x_[k] + ay * velocity_y_[k], acceleration, axis_back,
+              axis_ahead);
         limit(gap_1, ax * velocity_x_[other] + ay * velocity_y_[other], acceleration, axis_back,
               axis_ahead);
         back = std::max(back, axis_back);

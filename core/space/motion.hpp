@@ -14,10 +14,10 @@ namespace asv::core {
 /// Proves straight lines in C-space valid: adaptive dynamic collision checking (Schwarzer, Saha and
 /// Latombe, 2005) with clearance bounds below against displacement bounds above.
 ///
-/// Along a straight line every heading is linear in the parameter t in [0, 1]. A constraint g(t) >= 0
-/// with value g and slope g' at one moment and |g''| <= c everywhere holds at least while
-/// g + g' s - c s^2 / 2 >= 0. For a broom and a box g is the gap along one fixed separating axis, so
-/// that sliding along a wall costs next to nothing. What is settled at no resolution counts as blocked.
+/// Along a straight line every heading is linear in the parameter t in [0, 1]. A constraint g(t) >=
+/// 0 with value g and slope g' at one moment and |g''| <= c everywhere holds at least while g + g'
+/// s - c s^2 / 2 >= 0. For a broom and a box g is the gap along one fixed separating axis, so that
+/// sliding along a wall costs next to nothing. What is settled at no resolution counts as blocked.
 ///
 /// Holds scratch memory: one checker for each thread; nothing is allocated after the first calls.
 class MotionChecker {
@@ -61,8 +61,10 @@ class MotionChecker {
     bool shape_reach(Reach& reach) const;
     bool bounds_reach(Reach& reach) const;
     bool obstacle_reach(Reach& reach) const;
-    bool broom_reach(std::size_t broom, std::size_t box, Reach& reach) const;
-    geometry::Box swept_region();
+    bool scan_boxes(std::size_t broom, Reach& reach) const;
+    bool search_boxes(std::size_t broom, Reach& reach) const;
+    double farthest_motion(std::size_t broom, const Reach& reach) const;
+    bool broom_reach(std::size_t broom, const geometry::Box& box, Reach& reach) const;
 
     const Chain& chain_;
     const ChainConstraints& constraints_;
@@ -70,14 +72,12 @@ class MotionChecker {
 
     std::span<const double> from_, to_;
     std::vector<double> step_, row_, heading_rate_;
-    double speed_bound_ = 0;               ///< of every ASV, anywhere on the line
-    std::vector<double> acceleration_;     ///< bound for each ASV
+    double speed_bound_ = 0;            ///< of every ASV, anywhere on the line
+    std::vector<double> acceleration_;  ///< bound for each ASV
     std::vector<double> velocity_x_, velocity_y_;
     double turn_curvature_first_ = 0, turn_curvature_last_ = 0, area_curvature_ = 0,
            closing_curvature_ = 0;
     Pose pose_;
-    const NearBoxes* boxes_ = nullptr;
-    NearBoxes near_;
     std::vector<Gap> gaps_;
     std::uint64_t state_checks_ = 0, motion_checks_ = 0;
 };

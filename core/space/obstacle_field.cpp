@@ -1,5 +1,9 @@
 #include "asv/core/space/obstacle_field.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace asv::core {
 
 using geometry::Box;
@@ -16,19 +20,20 @@ void NearBoxes::push_back(const Box& box) {
 }
 
 ObstacleField::ObstacleField(std::span<const Box> boxes)
-    : boxes_(boxes.begin(), boxes.end()), index_(boxes_) {
-    if (few())
+    : boxes_(boxes.begin(), boxes.end()),
+      index_(boxes_),
+      spacing_(std::numeric_limits<double>::infinity()) {
+    if (few()) {
         for (const Box& box : boxes_) all_.push_back(box);
-}
-
-const NearBoxes& ObstacleField::near(const Box& region, NearBoxes& scratch) const {
-    if (few()) return all_;
-    scratch.clear();
-    index_.visit(region, [&](std::size_t i) {
-        scratch.push_back(boxes_[i]);
-        return false;
-    });
-    return scratch;
+        return;
+    }
+    Box hull = boxes_.front();
+    for (const Box& box : boxes_) {
+        hull.low = {std::min(hull.low.x, box.low.x), std::min(hull.low.y, box.low.y)};
+        hull.high = {std::max(hull.high.x, box.high.x), std::max(hull.high.y, box.high.y)};
+    }
+    spacing_ = std::sqrt((hull.high.x - hull.low.x) * (hull.high.y - hull.low.y) /
+                         static_cast<double>(boxes_.size()));
 }
 
 bool ObstacleField::contains(const geometry::Point& point) const {

@@ -30,8 +30,17 @@ class ObstacleField {
     bool few() const { return boxes_.size() <= 12; }
     /// All boxes. Precondition: few().
     const NearBoxes& all() const { return all_; }
-    /// Fills scratch with the boxes that meet the closed region, and returns it.
-    const NearBoxes& near(const geometry::Box& region, NearBoxes& scratch) const;
+    /// Calls visit(box) for every box within the radius of the segment.
+    template <class Visit>
+    void visit_within(const geometry::Segment& segment, double radius, Visit&& visit) const {
+        index_.visit_within(segment, radius, [&](std::size_t i) {
+            visit(boxes_[i]);
+            return false;
+        });
+    }
+    /// How far boxes are apart, roughly, were they spread evenly: motions that are much longer
+    /// are not worth looking at in one piece. Infinity where the boxes are few.
+    double spacing() const { return spacing_; }
 
     /// True when the closed segment meets a box; exact.
     bool meets(const geometry::Segment& segment) const { return index_.meets(segment); }
@@ -44,6 +53,7 @@ class ObstacleField {
     std::vector<geometry::Box> boxes_;
     geometry::BoxIndex index_;
     NearBoxes all_;
+    double spacing_;
 };
 
 }  // namespace asv::core

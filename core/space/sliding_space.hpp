@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -39,6 +40,7 @@ class SlidingSpace {
                  Rows& visited);
 
     MotionChecker& checker() { return checker_; }
+    std::uint64_t constrained_steps() const { return steering_.steps(); }
 
   private:
     const BroomWorld& world_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "asv/core/validation/state_checks.hpp"
@@ -68,6 +69,18 @@ Joint check_joint(const Moving& u, const Moving& v, double sign, double e) {
     return joint;
 }
 
+/// The first side that could not be proven to keep some length; room 0.
+std::optional<Finding> vanishing_side(const Motion& motion) {
+    for (std::size_t i = 0; i < motion.size(); ++i) {
+        const Quadratic squared = dot(side(motion, i), side(motion, i));
+        if (squared.least(0, 1) > 0) continue;
+        Finding finding = at_time(false, squared.place_of_least(0, 1), 0);
+        finding.offender.asv = i;
+        return finding;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Finding check_motion_broom_lengths(const Motion& motion, const Requirements& requirements) {
@@ -99,6 +112,8 @@ Finding check_motion_convexity(const Motion& motion, const Requirements& require
     // Beyond a right angle the sine above says nothing more; a smaller tolerance is stricter.
     const double e = std::min(requirements.tolerance, 1.0);
     const double sign = twice_the_area(motion).at(0) < 0 ? -1 : 1;
+    // Turns at a side that is a point mean nothing, so this comes first.
+    if (std::optional<Finding> point = vanishing_side(motion)) return *point;
     double total = 0;
     double against = 0;
     Finding worst;
@@ -110,12 +125,6 @@ Finding check_motion_convexity(const Motion& motion, const Requirements& require
         total += sign * turn(last, next, 0);
         if (!joint.never_against) against += 2 * e;
         keep_worse(worst, joint.finding);
-        const Quadratic squared = dot(next, next);
-        if (!(squared.least(0, 1) > 0)) {
-            Finding point = at_time(false, squared.place_of_least(0, 1), 0);
-            point.offender.asv = i;
-            keep_worse(worst, point);
-        }
     }
     const double room = 3 * pi - (2 * pi * std::round(total / (2 * pi)) + against);
     keep_worse(worst, at_time(room >= 0 && total > pi, 0, room));

@@ -44,12 +44,11 @@ HWY_INLINE detail::LaneVerdict judge(const ChainLimits& limits, const BoxIndex& 
         verdict.valid |= valid << i;
     }
     LaneMask alive = verdict.valid;
-    search_links<Source::moving>(
-        scratch, boxes.tree(), alive,
-        [&](std::uint32_t box, LaneMask hit, std::size_t first, std::size_t count) HWY_ATTR {
-            verdict.certified &= ~hit;
-            alive &= ~meeting(scratch, boxes.boxes()[box], hit, first, count);
-        });
+    auto on_hit = [&](std::uint32_t box, LaneMask hit, std::size_t first, std::size_t count) {
+        verdict.certified &= ~hit;
+        alive &= ~meeting(scratch, boxes.boxes()[box], hit, first, count);
+    };
+    LinkSearch<Source::moving, decltype(on_hit)>(scratch, boxes.tree(), alive, on_hit).search();
     verdict.valid = alive;
     return verdict;
 }
@@ -78,12 +77,14 @@ HWY_EXPORT(Certify);
 
 }  // namespace
 
-// Comparing a link with a box in single precision, with every coordinate at most M in magnitude and
-// unit normals: the positions, the box and the normal are each rounded (2^-24 of M, of M and of 1),
-// centre and extent of the box again, and the shadows take two products and two sums each. Every
-// such step costs at most 2^-24 * 4 M, and there are fewer than 16 of them: 2^-18 M. The joint
-// rounding of the double-precision sums is below 2^-50 of (1 + M + total length)^2 for a link count
-// below a thousand; 2^-44 leaves room to the positions that a caller computes in another order.
+// The slack of comparing a link with a box in single precision, where every coordinate is at most M
+// in magnitude, normals have length 1 and e = 2^-24. A shadow on the normal takes |x| + |y| <=
+// sqrt(2) of an error that both coordinates have. Such errors are e M each, of: the offset, the
+// normal, the sides of the box grown by the slack, its centre, its extent, and the products with
+// either: 7 sqrt(2) e M. The sums have at most 2.5 e M, 2.9 e M and 2.5 e M. That is less than 18 e
+// M; 2^-19 M is 32 e M. Where regions are compared, 2 e M would do. The sums of the stretches in
+// double precision are off by less than 2^-50 (1 + M + total length)^2 for up to a thousand links;
+// 2^-44 also leaves room to positions that are computed in another order.
 ChainBatch::ChainBatch(std::size_t links, const ChainLimits& limits, const BoxIndex& boxes)
     : limits_(limits), boxes_(boxes) {
     assert(links >= 1);
@@ -97,7 +98,7 @@ ChainBatch::ChainBatch(std::size_t links, const ChainLimits& limits, const BoxIn
     const double largest = std::max({std::fabs(low.x), std::fabs(low.y), std::fabs(high.x),
                                      std::fabs(high.y), boxes.tree().reach});
     const double size = 1 + largest + static_cast<double>(links) * limits.link;
-    scratch_.slack = static_cast<float>(0x1p-18 * largest);
+    scratch_.slack = static_cast<float>(0x1p-19 * largest);
     scratch_.rounding = 0x1p-44 * size * size;
 }
 

@@ -62,7 +62,7 @@ class ChainBatch {
     LaneMask valid(std::span<const Pack> rows);
 
     /// Conservative: certified is never said of a stretch that holds an invalid configuration, and
-    /// not of one that comes nearer to a box than about 4e-6, to another limit than about 1e-12, of
+    /// not of one that comes nearer to a box than about 2e-6, to another limit than about 1e-12, of
     /// the largest coordinate. The positions are those of the middles.
     StretchVerdict certify(const Stretches& stretches);
 

@@ -32,10 +32,10 @@ struct Target {
     float low_x, low_y, high_x, high_y, slack;
 
     HWY_INLINE Target(const WideNode& node, std::size_t lane, float margin)
-        : low_x(node.low_x[lane] - margin),
-          low_y(node.low_y[lane] - margin),
-          high_x(node.high_x[lane] + margin),
-          high_y(node.high_y[lane] + margin),
+        : low_x(node.side[WideNode::low_x][lane] - margin),
+          low_y(node.side[WideNode::low_y][lane] - margin),
+          high_x(node.side[WideNode::high_x][lane] + margin),
+          high_y(node.side[WideNode::high_y][lane] + margin),
           slack(margin) {}
 };
 
@@ -116,47 +116,66 @@ inline bool close_together(const SweptLink& link, const BoxQuery& joint, LaneMas
 }
 
 /// Up to here every box that comes near one of eight chains is compared with all their links.
-inline constexpr std::size_t few_boxes = 64;
+inline constexpr std::size_t few_boxes = 256;
 
-/// Calls on_hit(box, lanes, first link, number of links) wherever one of these links may meet a box
-/// in these lanes; on_hit clears lanes from alive that need no further answer.
+/// Where links of eight chains may meet boxes. on_hit(box, lanes, first link, number of links) is
+/// called wherever one of these links may meet the box in one of these lanes, and clears lanes from
+/// alive that need no further answer.
 template <bool moving, class OnHit>
-HWY_INLINE void search_links(const detail::ChainScratch& scratch, const BoxTree& tree,
-                             LaneMask& alive, OnHit&& on_hit) {
-    const float slack = scratch.slack;
-    const auto compare = [&](std::uint32_t entry, std::size_t first, std::size_t count) HWY_ATTR {
-        const Target box(tree.nodes[entry / WideNode::width], entry % WideNode::width, slack);
-        if (count > 1 && (region_hits(scratch.whole, box) & alive) == 0) return false;
-        const LaneMask bits =
-            hits<moving>(std::span(scratch.links).subspan(first, count), box) & alive;
-        if (bits != 0) on_hit(tree.order[entry], bits, first, count);
-        return alive == 0;
-    };
-    if (alive == 0) return;
-    if (tree.order.size() <= few_boxes) {
-        query::for_each_candidate(tree, joint_query(scratch.whole, alive, slack),
-                                  [&](std::uint32_t entry)
-                                      HWY_ATTR { return compare(entry, 0, scratch.links.size()); });
-        return;
-    }
-    for (std::size_t k = 0; k < scratch.links.size() && alive != 0; ++k) {
-        const SweptLink& link = scratch.links[k];
-        const BoxQuery joint = joint_query(link, alive, slack);
-        if (close_together(link, joint, alive)) {
-            query::for_each_candidate(
-                tree, joint, [&](std::uint32_t entry) HWY_ATTR { return compare(entry, k, 1); });
-            continue;
+class LinkSearch {
+  public:
+    HWY_INLINE LinkSearch(const detail::ChainScratch& scratch, const BoxTree& tree, LaneMask& alive,
+                          OnHit& on_hit)
+        : scratch_(scratch), tree_(tree), alive_(alive), on_hit_(on_hit) {}
+
+    HWY_INLINE void search() {
+        if (alive_ == 0) return;
+        if (tree_.order.size() <= few_boxes) {
+            search_jointly(joint_query(scratch_.whole, alive_, scratch_.slack), 0,
+                           scratch_.links.size());
+            return;
         }
-        for (LaneMask rest = alive; rest != 0; rest &= rest - 1) {
-            const auto lane = static_cast<std::size_t>(__builtin_ctz(rest));
-            query::for_each_candidate(tree, lane_query(link, lane, moving, slack),
-                                      [&](std::uint32_t entry) HWY_ATTR {
-                                          on_hit(tree.order[entry], 1U << lane, k, std::size_t{1});
-                                          return (alive >> lane & 1) == 0;
-                                      });
+        for (std::size_t k = 0; k < scratch_.links.size() && alive_ != 0; ++k) {
+            const BoxQuery joint = joint_query(scratch_.links[k], alive_, scratch_.slack);
+            if (close_together(scratch_.links[k], joint, alive_)) {
+                search_jointly(joint, k, 1);
+            } else {
+                search_lanes(k);
+            }
         }
     }
-}
+
+  private:
+    /// All boxes near any of the lanes are compared with all of them.
+    HWY_INLINE void search_jointly(const BoxQuery& joint, std::size_t first, std::size_t count) {
+        query::for_each_candidate(
+            tree_, std::span(&joint, 1), [&](std::uint32_t) { return alive_ == 0; },
+            [&](const WideNode& node, std::uint32_t lane, std::uint32_t, std::uint32_t box)
+                HWY_ATTR {
+                    const Target target(node, lane, scratch_.slack);
+                    if (count > 1 && (region_hits(scratch_.whole, target) & alive_) == 0) return;
+                    const auto links = std::span(scratch_.links).subspan(first, count);
+                    const LaneMask bits = hits<moving>(links, target) & alive_;
+                    if (bits != 0) on_hit_(box, bits, first, count);
+                });
+    }
+
+    HWY_INLINE void search_lanes(std::size_t link) {
+        std::array<BoxQuery, lanes> queries;
+        for (std::size_t i = 0; i < lanes; ++i) {
+            queries[i] = lane_query(scratch_.links[link], i, moving, scratch_.slack);
+        }
+        query::for_each_candidate(
+            tree_, queries, [&](std::uint32_t lane) { return (alive_ >> lane & 1) == 0; },
+            [&](const WideNode&, std::uint32_t, std::uint32_t lane, std::uint32_t box)
+                HWY_ATTR { on_hit_(box, 1U << lane, link, std::size_t{1}); });
+    }
+
+    const detail::ChainScratch& scratch_;
+    const BoxTree& tree_;
+    LaneMask& alive_;
+    OnHit& on_hit_;
+};
 
 }  // namespace asv::geometry::batch::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -91,7 +91,8 @@ void Meets(const Segments& segments, const Boxes& boxes, std::span<std::uint8_t>
         const auto [meeting, apart] = compare(segments, boxes, i);
         for (std::size_t lane = 0; lane < step; ++lane) {
             const bool certain = ((meeting | apart) >> lane & 1) != 0;
-            result[i + lane] = certain ? meeting >> lane & 1 : exactly(i + lane);
+            const bool met = certain ? (meeting >> lane & 1) != 0 : exactly(i + lane);
+            result[i + lane] = met ? 1 : 0;
         }
     }
     for (; i < result.size(); ++i) result[i] = exactly(i);

@@ -1,5 +1,6 @@
 #include "asv/io/drawing/canvas.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -18,8 +19,8 @@ using geometry::Segment;
 
 constexpr const char* font_family = "sans-serif";
 
-/// cairo computes where all lines of one stroke cross each other, so thousands are drawn in parts.
-constexpr std::size_t segments_per_stroke = 256;
+/// cairo computes where all lines of one path cross each other, so thousands are drawn in parts.
+constexpr std::size_t shapes_per_path = 256;
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
     static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
@@ -85,6 +86,31 @@ void use(cairo_t* cairo, const Colour& colour) {
     cairo_set_source_rgba(cairo, colour.red, colour.green, colour.blue, colour.alpha);
 }
 
+void trace_box(cairo_t* cairo, const Box& box) {
+    cairo_rectangle(cairo, box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y);
+}
+
+void trace_segment(cairo_t* cairo, const Segment& segment) {
+    cairo_move_to(cairo, segment.a.x, segment.a.y);
+    cairo_line_to(cairo, segment.b.x, segment.b.y);
+}
+
+void trace_dot(cairo_t* cairo, const Point& centre) {
+    cairo_move_to(cairo, centre.x, centre.y);
+    cairo_close_path(cairo);
+}
+
+template <class Shape, class Trace, class Paint>
+void for_each_part(cairo_t* cairo, std::span<const Shape> shapes, const Trace& trace,
+                   const Paint& paint) {
+    while (!shapes.empty()) {
+        const std::size_t count = std::min(shapes.size(), shapes_per_path);
+        for (const Shape& shape : shapes.first(count)) trace(cairo, shape);
+        paint(cairo);
+        shapes = shapes.subspan(count);
+    }
+}
+
 }  // namespace
 
 void Canvas::apply(const Stroke& stroke) {
@@ -104,13 +130,6 @@ void Canvas::trace(std::span<const Point> points) {
     for (const Point& point : points) cairo_line_to(cairo_, point.x, point.y);
 }
 
-void Canvas::trace(std::span<const Box> boxes) {
-    for (const Box& box : boxes) {
-        cairo_rectangle(cairo_, box.low.x, box.low.y, box.high.x - box.low.x,
-                        box.high.y - box.low.y);
-    }
-}
-
 void Canvas::fill_all(const Colour& colour) {
     use(cairo_, colour);
     cairo_paint(cairo_);
@@ -118,14 +137,12 @@ void Canvas::fill_all(const Colour& colour) {
 
 void Canvas::fill_boxes(std::span<const Box> boxes, const Colour& colour) {
     use(cairo_, colour);
-    trace(boxes);
-    cairo_fill(cairo_);
+    for_each_part(cairo_, boxes, trace_box, cairo_fill);
 }
 
 void Canvas::stroke_boxes(std::span<const Box> boxes, const Stroke& stroke) {
     apply(stroke);
-    trace(boxes);
-    cairo_stroke(cairo_);
+    for_each_part(cairo_, boxes, trace_box, cairo_stroke);
 }
 
 void Canvas::fill_polygon(std::span<const Point> points, const Colour& colour) {
@@ -143,12 +160,13 @@ void Canvas::stroke_line(std::span<const Point> points, const Stroke& stroke) {
 
 void Canvas::stroke_segments(std::span<const Segment> segments, const Stroke& stroke) {
     apply(stroke);
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        cairo_move_to(cairo_, segments[i].a.x, segments[i].a.y);
-        cairo_line_to(cairo_, segments[i].b.x, segments[i].b.y);
-        if (i % segments_per_stroke == segments_per_stroke - 1) cairo_stroke(cairo_);
-    }
-    cairo_stroke(cairo_);
+    for_each_part(cairo_, segments, trace_segment, cairo_stroke);
+}
+
+void Canvas::fill_dots(std::span<const Point> centres, double radius, const Colour& colour) {
+    // A line without length has round ends alone.
+    apply({colour, 2 * radius});
+    for_each_part(cairo_, centres, trace_dot, cairo_stroke);
 }
 
 void Canvas::fill_circle(const Point& centre, double radius, const Colour& colour) {
@@ -182,7 +200,7 @@ double Canvas::text_width(std::string_view words, const TextStyle& style) {
 
 void Canvas::push_clip(const Box& box) {
     cairo_save(cairo_);
-    trace(std::span(&box, 1));
+    trace_box(cairo_, box);
     cairo_clip(cairo_);
 }
 

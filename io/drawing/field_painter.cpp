@@ -81,9 +81,7 @@ void paint_trees(Canvas& canvas, const Scene& scene, const Page& page, const Pal
         std::vector<Segment> edges;
         for (const Segment& edge : tree.edges) edges.push_back(page.at(edge));
         canvas.stroke_segments(edges, {faded(colour, 0.5), 0.8});
-        for (const Point& node : tree.nodes) {
-            canvas.fill_circle(page.at(node), 1.2, faded(colour, 0.8));
-        }
+        canvas.fill_dots(page.at(tree.nodes), 1.2, faded(colour, 0.8));
         for (const Point& root : tree.roots) canvas.fill_circle(page.at(root), 3, colour);
     }
 }
@@ -121,9 +119,9 @@ void paint_line(Canvas& canvas, const SceneLine& line, const Page& page, const P
 
 void paint_least(Canvas& canvas, const SceneLeast& least, const Page& page,
                  const Palette& colours) {
-    for (const Segment& link : least.links) {
-        canvas.fill_circle(page.at(link.b), 4, faded(colours.least, 0.35));
-    }
+    std::vector<Point> walls;
+    for (const Segment& link : least.links) walls.push_back(page.at(link.b));
+    canvas.fill_dots(walls, 4, faded(colours.least, 0.5));
     const Segment link = page.at(least.link);
     const Point middle{(link.a.x + link.b.x) / 2, (link.a.y + link.b.y) / 2};
     canvas.stroke_circle(middle, least_radius, {colours.field, 5});
@@ -193,7 +191,7 @@ Colour along_the_way(const Palette& colours, double progress) {
 void paint_chain(Canvas& canvas, const std::vector<Point>& points, const Pen& pen,
                  const Colour& colour) {
     canvas.stroke_line(points, {colour, pen.broom});
-    for (const Point& point : points) canvas.fill_circle(point, pen.dot, colour);
+    canvas.fill_dots(points, pen.dot, colour);
 }
 
 void paint_violation_mark(Canvas& canvas, const Point& at, const Palette& colours) {

@@ -120,6 +120,7 @@ const toggle = (direction) => (playing.direction === direction ? pause() : play(
 
 /** Shows one step and stays there. */
 function goTo(state) {
+  if (story.states === 0) return;
   playing.position = clamp(state, 0, last);
   show();
   pause();
@@ -200,7 +201,9 @@ function writePage() {
   writeAlarm();
   fillSpeeds();
   if (story.states === 0) {
-    for (const id of ["playback", "readouts", "plots"]) by(id).hidden = true;
+    const useless = document.querySelectorAll("#playback, #trails-toggle, #readouts, #plots, .when-solved");
+    for (const element of useless) element.hidden = true;
+    by("no-solution").hidden = false;
   } else {
     writeTotals();
   }

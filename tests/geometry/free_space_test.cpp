@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "adversarial.hpp"
 #include "visibility_oracle.hpp"
 #include <gtest/gtest.h>
 
@@ -145,7 +146,7 @@ class GridScene {
 
 TEST(FreeSpace, AgreesWithBruteForceOnAGrid) {
     std::size_t bent = 0;
-    for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test_count(3000); ++seed) {
         GridScene scene(seed);
         FreeSpace space(scene.boxes, scene.bounds);
         const std::vector<int> label = scene.components();
@@ -167,7 +168,7 @@ TEST(FreeSpace, AgreesWithBruteForceOnAGrid) {
             if (found > std::hypot(from.x - to.x, from.y - to.y) + 1e-6) ++bent;
         }
     }
-    EXPECT_GT(bent, 2000u) << "the scenes do not ask enough";
+    EXPECT_GT(bent, test_count(2000)) << "the scenes do not ask enough";
 }
 
 double draw_real(std::mt19937_64& engine) {
@@ -185,7 +186,7 @@ std::vector<Box> random_boxes(std::mt19937_64& engine, std::size_t count, double
 }
 
 TEST(FreeSpace, AgreesWithBruteForceInGeneralPosition) {
-    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test_count(400); ++seed) {
         std::mt19937_64 engine(seed);
         const std::vector<Box> boxes = random_boxes(engine, 5 + seed % 40, 0.25);
         FreeSpace space(boxes, unit);
@@ -205,7 +206,7 @@ TEST(FreeSpace, AgreesWithBruteForceInGeneralPosition) {
 }
 
 TEST(FreeSpace, MirroredTurnedAndSwapped) {
-    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test_count(200); ++seed) {
         GridScene scene(seed);
         const Point from = scene.draw_point();
         const Point to = scene.draw_point();
@@ -234,7 +235,7 @@ TEST(FreeSpace, MirroredTurnedAndSwapped) {
 }
 
 TEST(FreeSpace, AnotherBoxNeverShortens) {
-    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test_count(100); ++seed) {
         std::mt19937_64 engine(seed);
         const std::vector<Box> boxes = random_boxes(engine, 30, 0.25);
         const Point from{draw_real(engine), draw_real(engine)};
@@ -250,7 +251,7 @@ TEST(FreeSpace, AnotherBoxNeverShortens) {
 }
 
 TEST(FreeSpace, LaterQuestionsGetTheSameAnswers) {
-    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test_count(100); ++seed) {
         std::mt19937_64 engine(seed);
         const std::vector<Box> boxes = random_boxes(engine, 60, 0.2);
         FreeSpace kept(boxes, unit);
@@ -263,20 +264,39 @@ TEST(FreeSpace, LaterQuestionsGetTheSameAnswers) {
     }
 }
 
+TEST(FreeSpace, LessEffortBoundsFromBelow) {
+    std::mt19937_64 engine(3);
+    FreeSpace space(random_boxes(engine, 2000, 0.02), unit);
+    const Point from{0.01, 0.02};
+    const Point to{0.99, 0.98};
+    const double exact = space.shortest_path(from, to);
+    ASSERT_TRUE(std::isfinite(exact));
+    double before = std::hypot(0.98, 0.96);
+    for (std::size_t effort = 0; effort < 1'000'000; effort = 2 * effort + 1) {
+        const double now = space.shortest_path_at_least(from, to, effort);
+        ASSERT_GE(now, before * (1 - 1e-13));
+        ASSERT_LE(now, exact * (1 + 1e-13));
+        before = now;
+    }
+    EXPECT_EQ(before, exact);
+    EXPECT_LT(space.shortest_path_at_least(from, to, 10), exact);
+}
+
 TEST(FreeSpace, ManyBoxes) {
-    for (const double largest : {0.0005, 0.003, 0.006, 0.02}) {
+    for (const double largest : {0.0005, 0.003, 0.02}) {
         std::mt19937_64 engine(5);
         FreeSpace space(random_boxes(engine, 100'000, largest), unit);
         const Point from{0.1, 0.1};
         const Point to{0.9, 0.8};
-        const double length = space.shortest_path(from, to);
-        if (std::isinf(length)) {
-            EXPECT_FALSE(space.connected(from, to));
-        } else {
-            EXPECT_GE(length, std::hypot(0.8, 0.7));
-            EXPECT_NEAR(space.shortest_path(to, from), length, 1e-12);
-        }
+        const double length = space.shortest_path_at_least(from, to, 200'000);
+        EXPECT_EQ(std::isfinite(length), space.connected(from, to));
+        EXPECT_GE(length, std::hypot(0.8, 0.7));
     }
+    std::mt19937_64 engine(5);
+    FreeSpace space(random_boxes(engine, 100'000, 0.0005), unit);
+    const double length = space.shortest_path({0.1, 0.1}, {0.9, 0.8});
+    ASSERT_TRUE(std::isfinite(length));
+    EXPECT_NEAR(space.shortest_path({0.9, 0.8}, {0.1, 0.1}), length, 1e-12);
 }
 
 }  // namespace

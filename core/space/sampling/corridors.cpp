@@ -12,7 +12,9 @@ using geometry::Point;
 
 namespace {
 
-Box transposed(const Box& box) { return {{box.low.y, box.low.x}, {box.high.y, box.high.x}}; }
+Box transposed(const Box& box) {
+    return {{box.low.y, box.low.x}, {box.high.y, box.high.x}};
+}
 
 }  // namespace
 

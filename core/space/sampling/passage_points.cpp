@@ -29,8 +29,8 @@ Point on_boundary(const Box& box, Rng& rng) {
 
 std::optional<Point> passage_point(const ObstacleField& field, const Box& bounds, Rng& rng) {
     if (field.boxes().empty()) return std::nullopt;
-    const double deviation = bridge_share * std::max(bounds.high.x - bounds.low.x,
-                                                     bounds.high.y - bounds.low.y);
+    const double deviation =
+        bridge_share * std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
     for (int attempt = 0; attempt < tries; ++attempt) {
         const Point a = on_boundary(field.boxes()[rng.below(field.boxes().size())], rng);
         const Point b{a.x + deviation * rng.normal(), a.y + deviation * rng.normal()};

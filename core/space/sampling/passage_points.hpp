@@ -2,7 +2,6 @@
 
 #include <optional>
 
-
 #include "asv/core/planning/rng.hpp"
 #include "asv/core/space/obstacle_field.hpp"
 #include "asv/geometry/primitives.hpp"

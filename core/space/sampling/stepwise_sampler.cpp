@@ -19,9 +19,7 @@ constexpr int heading_tries = 8;
 }  // namespace
 
 StepwiseSampler::StepwiseSampler(MotionChecker& checker, double sharpest_turn)
-    : checker_(checker),
-      sharpest_turn_(sharpest_turn),
-      positions_(checker.chain().asv_count()) {}
+    : checker_(checker), sharpest_turn_(sharpest_turn), positions_(checker.chain().asv_count()) {}
 
 bool StepwiseSampler::sample(Rng& rng, From from, std::optional<Point> place, bool any_turn,
                              std::span<double> row) {

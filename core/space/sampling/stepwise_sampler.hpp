@@ -11,8 +11,8 @@
 namespace asv::core {
 
 /// Draws valid configurations dimension by dimension: a free position first, then one heading after
-/// the other, each kept only if the chain so far is inside the bounds, free and turns one way. Drawn
-/// whole, a sample is valid a few times in a million; drawn so, one time in ten.
+/// the other, each kept only if the chain so far is inside the bounds, free and turns one way.
+/// Drawn whole, a sample is valid a few times in a million; drawn so, one time in ten.
 class StepwiseSampler {
   public:
     /// Which end of the chain is placed first.

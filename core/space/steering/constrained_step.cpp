@@ -10,7 +10,8 @@ namespace {
 /// Shape margins at strictness 1: a share of the least area, and radians times broom length.
 constexpr double area_margin = 0.02;
 constexpr double turn_margin = 1e-4;
-/// No ASV moves farther than this many times the root mean square motion of all of them, nearly ever.
+/// No ASV moves farther than this many times the root mean square motion of all of them, nearly
+/// ever.
 constexpr double fastest_share = 3;
 /// Corrections for what the constraints bend; each brings the error from h to h^2.
 constexpr int most_corrections = 2;
@@ -64,18 +65,23 @@ void ConstrainedStep::add(Near near, double margin, double reach) {
 double ConstrainedStep::gap(const Near& near, const Pose& pose, std::span<const double> row) const {
     const std::size_t k = near.index;
     switch (near.kind) {
-        case Near::Kind::turn: return row[3 + k] - constraints_.minimum_turn[k];
+        case Near::Kind::turn:
+            return row[3 + k] - constraints_.minimum_turn[k];
         case Near::Kind::point: {
             const std::size_t asv = near.fraction > 0 ? k + 1 : k;
             return near.nx * pose.x[asv] + near.ny * pose.y[asv] - near.offset;
         }
         case Near::Kind::corner:
-            return near.offset * (pose.ux[k] * (near.ny - pose.y[k]) -
-                                  pose.uy[k] * (near.nx - pose.x[k]));
-        case Near::Kind::first_turn: return first_turn(pose) - constraints_.minimum_first_turn;
-        case Near::Kind::last_turn: return last_turn(pose) - constraints_.minimum_last_turn;
-        case Near::Kind::area: return area(pose) - constraints_.minimum_area;
-        case Near::Kind::closing: return closing_length(pose) - constraints_.minimum_closing;
+            return near.offset *
+                   (pose.ux[k] * (near.ny - pose.y[k]) - pose.uy[k] * (near.nx - pose.x[k]));
+        case Near::Kind::first_turn:
+            return first_turn(pose) - constraints_.minimum_first_turn;
+        case Near::Kind::last_turn:
+            return last_turn(pose) - constraints_.minimum_last_turn;
+        case Near::Kind::area:
+            return area(pose) - constraints_.minimum_area;
+        case Near::Kind::closing:
+            return closing_length(pose) - constraints_.minimum_closing;
     }
     return 0;
 }
@@ -94,17 +100,25 @@ void ConstrainedStep::gradient(const Near& near, std::span<double> row) {
     }
     if (near.kind == Near::Kind::corner) {
         // The line of the broom turns with it: what counts is its point next to the corner.
-        const double along = (near.nx - pose_.x[k]) * pose_.ux[k] +
-                             (near.ny - pose_.y[k]) * pose_.uy[k];
+        const double along =
+            (near.nx - pose_.x[k]) * pose_.ux[k] + (near.ny - pose_.y[k]) * pose_.uy[k];
         const double fraction = std::clamp(along / chain_.broom_length(), 0.0, 1.0);
         point_gradient(k, fraction, near.offset * pose_.uy[k], -near.offset * pose_.ux[k], row);
         return;
     }
     switch (near.kind) {
-        case Near::Kind::first_turn: closing_turn_gradient(0, 1); break;
-        case Near::Kind::last_turn: closing_turn_gradient(last, -1); break;
-        case Near::Kind::area: area_gradient(); break;
-        default: closing_gradient(); break;
+        case Near::Kind::first_turn:
+            closing_turn_gradient(0, 1);
+            break;
+        case Near::Kind::last_turn:
+            closing_turn_gradient(last, -1);
+            break;
+        case Near::Kind::area:
+            area_gradient();
+            break;
+        default:
+            closing_gradient();
+            break;
     }
     row[0] = row[1] = 0;
     from_heading_gradient(row);
@@ -130,8 +144,8 @@ void ConstrainedStep::point_gradient(std::size_t broom, double fraction, double 
     if (chain_.broom_count() == 0) return;
     const double length = chain_.broom_length();
     for (std::size_t k = 0; k < chain_.broom_count(); ++k)
-        heading_gradient_[k] = length * chain_.lever(broom, fraction, k) *
-                               (ny * pose_.ux[k] - nx * pose_.uy[k]);
+        heading_gradient_[k] =
+            length * chain_.lever(broom, fraction, k) * (ny * pose_.ux[k] - nx * pose_.uy[k]);
     from_heading_gradient(row);
 }
 
@@ -166,22 +180,22 @@ void ConstrainedStep::closing_gradient() {
 
 void ConstrainedStep::near_boxes(double step_length, double margin) {
     const double reach = fastest_share * step_length + margin;
-    const auto [x0, x1] = std::minmax_element(pose_.x.begin(), pose_.x.end());
-    const auto [y0, y1] = std::minmax_element(pose_.y.begin(), pose_.y.end());
-    const geometry::Box region = geometry::grown({{*x0, *y0}, {*x1, *y1}}, reach);
-    const NearBoxes& boxes = field_.few() ? field_.all() : field_.near(region, boxes_);
     const std::size_t pieces = std::max<std::size_t>(chain_.broom_count(), 1);
-    for (std::size_t b = 0; b < boxes.size(); ++b) {
-        const geometry::Box box = boxes[b];
-        if (box.low.x > region.high.x || box.high.x < region.low.x || box.low.y > region.high.y ||
-            box.high.y < region.low.y)
-            continue;
-        for (std::size_t k = 0; k < pieces; ++k) near_box(k, box, step_length, margin);
+    for (std::size_t k = 0; k < pieces; ++k) {
+        const std::size_t other = chain_.broom_count() == 0 ? k : k + 1;
+        const auto consider = [&](const geometry::Box& box) {
+            near_box(k, box, step_length, margin);
+        };
+        if (field_.few())
+            for (std::size_t b = 0; b < field_.all().size(); ++b) consider(field_.all()[b]);
+        else
+            field_.visit_within({{pose_.x[k], pose_.y[k]}, {pose_.x[other], pose_.y[other]}}, reach,
+                                consider);
     }
 }
 
-/// Keeps the broom on its side of the axis along which it is farthest from the box: both of its ends
-/// off a side, or its line off a corner.
+/// Keeps the broom on its side of the axis along which it is farthest from the box: both of its
+/// ends off a side, or its line off a corner.
 void ConstrainedStep::near_box(std::size_t k, const geometry::Box& box, double step_length,
                                double margin) {
     const bool point = chain_.broom_count() == 0;
@@ -199,11 +213,13 @@ void ConstrainedStep::near_box(std::size_t k, const geometry::Box& box, double s
         const double side = middle < 0 ? -1 : 1;
         const double corner_x = side * nx > 0 ? box.low.x : box.high.x;
         const double corner_y = side * ny > 0 ? box.low.y : box.high.y;
-        const double across =
-            side * (nx * (corner_x - pose_.x[k]) + ny * (corner_y - pose_.y[k]));
+        const double across = side * (nx * (corner_x - pose_.x[k]) + ny * (corner_y - pose_.y[k]));
         if (across > reach) return;
         if (across > along_x && across > along_y) {
-            add({.kind = Near::Kind::corner, .index = k, .nx = corner_x, .ny = corner_y,
+            add({.kind = Near::Kind::corner,
+                 .index = k,
+                 .nx = corner_x,
+                 .ny = corner_y,
                  .offset = side},
                 margin, step_length);
             return;
@@ -214,8 +230,12 @@ void ConstrainedStep::near_box(std::size_t k, const geometry::Box& box, double s
     for (const std::size_t end : {k, other}) {
         const double at = by_x ? pose_.x[end] : pose_.y[end];
         const double sign = low - at > at - high ? -1 : 1;
-        add({.kind = Near::Kind::point, .index = k, .fraction = end == k ? 0.0 : 1.0,
-             .nx = by_x ? sign : 0, .ny = by_x ? 0 : sign, .offset = sign < 0 ? -low : high},
+        add({.kind = Near::Kind::point,
+             .index = k,
+             .fraction = end == k ? 0.0 : 1.0,
+             .nx = by_x ? sign : 0,
+             .ny = by_x ? 0 : sign,
+             .offset = sign < 0 ? -low : high},
             margin, step_length);
         if (point) break;
     }
@@ -229,8 +249,12 @@ void ConstrainedStep::near_bounds(double step_length, double margin) {
         const std::size_t broom = std::min(j, last_broom);
         const auto side = [&](double gap, double nx, double ny, double offset) {
             if (gap < reach)
-                add({.kind = Near::Kind::point, .index = broom, .fraction = j == broom ? 0.0 : 1.0,
-                     .nx = nx, .ny = ny, .offset = offset},
+                add({.kind = Near::Kind::point,
+                     .index = broom,
+                     .fraction = j == broom ? 0.0 : 1.0,
+                     .nx = nx,
+                     .ny = ny,
+                     .offset = offset},
                     margin, step_length);
         };
         side(pose_.x[j] - b.low.x, 1, 0, b.low.x);

@@ -18,8 +18,8 @@ namespace asv::core {
 ///
 /// in the metric's scaled coordinates. The rows of G are the gradients of the near constraints
 /// (broom against box, ASV against bounds, turns, closing turns, closing length, area). What the
-/// constraints bend over the step is measured at its end and put into b, then the step is solved for
-/// once more (the second-order correction of sequential quadratic programming).
+/// constraints bend over the step is measured at its end and put into b, then the step is solved
+/// for once more (the second-order correction of sequential quadratic programming).
 class ConstrainedStep {
   public:
     ConstrainedStep(const Chain& chain, const ChainConstraints& constraints,
@@ -34,8 +34,8 @@ class ConstrainedStep {
     /// Asks, as a spring, that an ASV moves by (dx, dy). Call after linearise().
     void pull(std::size_t asv, double dx, double dy, double stiffness);
 
-    /// The configuration that the step nearest to the wish leads to; the wish in scaled coordinates.
-    /// Valid until the next call.
+    /// The configuration that the step nearest to the wish leads to; the wish in scaled
+    /// coordinates. Valid until the next call.
     std::span<const double> solve(std::span<const double> wish);
 
     /// Did a constraint push back in the last solve()?
@@ -45,12 +45,12 @@ class ConstrainedStep {
     /// A constraint gap(configuration) >= 0 that is near.
     struct Near {
         enum class Kind { turn, point, corner, first_turn, last_turn, area, closing } kind;
-        std::size_t index = 0;   ///< broom, or turn
-        double fraction = 0;     ///< point: where on the broom
-        double nx = 0, ny = 0;   ///< point: axis away from what is near; corner: where it is
-        double offset = 0;       ///< point: where along the axis that ends; corner: side of the broom
-        double gap = 0;          ///< at the row of linearise()
-        double change = 0;       ///< how much the gap may change at least
+        std::size_t index = 0;  ///< broom, or turn
+        double fraction = 0;    ///< point: where on the broom
+        double nx = 0, ny = 0;  ///< point: axis away from what is near; corner: where it is
+        double offset = 0;  ///< point: where along the axis that ends; corner: side of the broom
+        double gap = 0;     ///< at the row of linearise()
+        double change = 0;  ///< how much the gap may change at least
     };
 
     void add(Near near, double margin, double reach);
@@ -75,7 +75,6 @@ class ConstrainedStep {
     const Metric& metric_;
     std::vector<double> row_, next_;
     Pose pose_, next_pose_;
-    NearBoxes boxes_;
     std::vector<double> heading_gradient_;
     std::vector<Near> near_;  ///< one for each row of the program; springs come behind them
     DualActiveSet program_;

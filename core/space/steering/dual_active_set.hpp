@@ -12,13 +12,13 @@ namespace asv::core {
 ///
 /// where the rows s with a compliance c_s > 0 are springs: they pull g_s . y toward b_s from both
 /// sides with a force m_s. The dual method of Goldfarb and Idnani (1983), which starts at the wish
-/// and adds violated rows one by one; the Hessian is the identity, so it works on the rows' Gram
-/// matrix with a Cholesky factor of the active part.
-/// Holds its memory: nothing is allocated once it has grown to the sizes in use.
+/// and adds violated rows one by one; the Hessian is the identity, so a Cholesky factor of the
+/// active rows' Gram matrix is all that it keeps. Each step costs O(rows x dimension). Holds its
+/// memory: nothing is allocated once it has grown to the sizes in use.
 class DualActiveSet {
   public:
     /// Precondition: dimension > 0.
-    explicit DualActiveSet(std::size_t dimension) : dimension_(dimension), step_(dimension) {}
+    explicit DualActiveSet(std::size_t dimension);
 
     void clear();
     /// A new last row g . y >= limit, or a spring if compliance > 0; fill in the returned gradient
@@ -41,23 +41,25 @@ class DualActiveSet {
     bool pushed() const { return pushed_; }
 
   private:
-    void build_gram();
+    const double* gradient(std::size_t row) const { return rows_.data() + row * dimension_; }
+    double missing(std::size_t row) const;
     double prepare_direction(std::size_t row);
     bool activate(std::size_t row);
     void deactivate(std::size_t position);
+    double gram(std::size_t a, std::size_t b) const;
+    double& factor(std::size_t row, std::size_t column) {
+        return factor_[row * (row + 1) / 2 + column];
+    }
 
     std::size_t dimension_;
     std::vector<double> rows_;  ///< size() x dimension
     std::vector<double> limits_, compliances_;
-    std::vector<double> gram_;  ///< size() x size(), compliances on the diagonal
-    std::vector<double> missing_;     ///< what each row lacks at the current point
     std::vector<double> multipliers_;
     std::vector<std::size_t> active_;
-    std::vector<double> factor_;      ///< lower Cholesky factor of the active Gram matrix
-    std::vector<double> forward_, direction_;
+    std::vector<double> factor_;  ///< lower Cholesky factor of their Gram matrix, packed row by row
+    std::vector<double> forward_, direction_, change_;
     std::vector<double> step_;
     bool pushed_ = false;
-    bool gram_ready_ = false;
 };
 
 }  // namespace asv::core

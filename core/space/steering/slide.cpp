@@ -23,6 +23,8 @@ SlideSteering::SlideSteering(MotionChecker& checker, const Metric& metric,
       options_(options),
       constrained_(checker.chain(), checker.constraints(), checker.field(), metric) {
     for (auto* array : {&row_, &next_, &wish_}) array->resize(metric.dimension());
+    // In a crowd, a longer step would only meet more boxes than it can heed.
+    options_.step = std::min(options_.step, 2 * checker.field().spacing());
 }
 
 Steered SlideSteering::slide(std::span<const double> from, std::span<const double> target,
@@ -117,7 +119,8 @@ bool SlideSteering::go_straight(std::span<const double> target, double distance,
     const auto pieces = static_cast<std::size_t>(std::ceil(free * distance / longest_edge));
     const std::vector<double> from(row_);
     for (std::size_t piece = 1; piece <= std::max<std::size_t>(pieces, 1); ++piece) {
-        const double t = free * static_cast<double>(piece) / static_cast<double>(std::max<std::size_t>(pieces, 1));
+        const double t = free * static_cast<double>(piece) /
+                         static_cast<double>(std::max<std::size_t>(pieces, 1));
         for (std::size_t k = 0; k < next_.size(); ++k)
             next_[k] = t >= 1 ? target[k] : from[k] + t * (target[k] - from[k]);
         keep(visited);

@@ -1,0 +1,132 @@
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "../io/temporary_folder.hpp"
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+#include "asv/core/validate.hpp"
+#include "asv/io/problem_file.hpp"
+
+namespace asv {
+namespace {
+
+/// Runs asv-generate in a folder of its own and looks at what it leaves there.
+class GenerateProgram : public testing::Test {
+  protected:
+    /// The exit code; standard error is in message() afterwards.
+    int run(const std::string& arguments) {
+        const std::string command = "cd '" + folder_.path().string() +
+                                    "' && '" ASV_PROGRAM_DIR "/asv-generate' " + arguments +
+                                    " > output 2> message";
+        const int status = std::system(command.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    std::string text(const std::string& name) const {
+        std::ifstream file(folder_ / name, std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    std::string message() const { return text("message"); }
+    bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+    std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+
+  private:
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(GenerateProgram, EveryFamilyWritesAValidProblemWithItsDefaults) {
+    for (const std::string family :
+         {"corridor", "bend", "gauntlet", "rooms", "maze", "spiral", "crossing", "clutter"}) {
+        SCOPED_TRACE(family);
+        ASSERT_EQ(run(family + " -n 6 --seed 9 -o p.txt"), 0) << message();
+        const io::ProblemFile file = io::read_problem(path("p.txt"));
+        EXPECT_TRUE(file.warnings.empty());
+        EXPECT_EQ(file.problem.asv_count(), 6u);
+        for (const auto* end : {&file.problem.start, &file.problem.goal})
+            EXPECT_TRUE(validate_state(file.problem, *end, {.tolerance = 1e-9}).valid());
+        EXPECT_FALSE(exists("p.txt.json"));
+        EXPECT_EQ(message(), "");
+        EXPECT_EQ(text("output"), "");
+    }
+}
+
+TEST_F(GenerateProgram, SameArgumentsGiveTheSameBytes) {
+    ASSERT_EQ(run("rooms -n 7 --seed 5 --doors 1 --solvable -o a.txt"), 0) << message();
+    const std::string problem = text("a.txt"), record = text("a.txt.json");
+    ASSERT_EQ(run("-o a.txt --solvable --seed 5 -n 7 rooms --doors 1"), 0) << message();
+    EXPECT_EQ(text("a.txt"), problem);
+    EXPECT_EQ(text("a.txt.json"), record);
+    ASSERT_EQ(run("rooms -n 7 --seed 6 --doors 1 -o a.txt"), 0) << message();
+    EXPECT_NE(text("a.txt"), problem);
+}
+
+TEST_F(GenerateProgram, VerdictIsInTheSideFile) {
+    ASSERT_EQ(run("corridor -n 5 --height-factor 1.05 --seed 3 --solvable -o p.txt"), 0);
+    auto record = nlohmann::json::parse(text("p.txt.json"));
+    EXPECT_EQ(record["verdict"], "solvable");
+    EXPECT_EQ(record["family"], "corridor");
+    EXPECT_EQ(record["seed"], 3);
+    EXPECT_EQ(record["asv_count"], 5);
+    EXPECT_EQ(record["obstacle_count"], 2);
+    EXPECT_EQ(record["attempt"], 1);
+    EXPECT_EQ(record["parameters"]["height-factor"], 1.05);
+    EXPECT_EQ(record["parameters"]["orientation"], "random");
+    EXPECT_NE(message().find("solvable"), std::string::npos);
+
+    ASSERT_EQ(run("corridor -n 5 --height-factor 0.9 --solvable --attempts 2 --quiet -o q.txt"), 0);
+    record = nlohmann::json::parse(text("q.txt.json"));
+    EXPECT_EQ(record["verdict"], "unknown");
+    EXPECT_EQ(record["attempt"], 2);
+    EXPECT_EQ(record["parameters"]["height-factor"], 0.9);
+    EXPECT_NE(record["reason"], "");
+    EXPECT_EQ(message(), "");
+}
+
+TEST_F(GenerateProgram, WrongUsageIsNamedAndWritesNothing) {
+    const auto expect_usage = [&](const std::string& arguments, const std::string& named) {
+        EXPECT_EQ(run(arguments), 2) << arguments;
+        EXPECT_NE(message().find(named), std::string::npos) << arguments << ": " << message();
+        EXPECT_FALSE(exists("p.txt")) << arguments;
+    };
+    expect_usage("", "--asvs");
+    expect_usage("corridor -o p.txt", "--asvs");
+    expect_usage("corridor -n 7", "--output");
+    expect_usage("-n 7 -o p.txt", "subcommand");
+    expect_usage("staircase -n 7 -o p.txt", "subcommand");
+    expect_usage("corridor -n 2 -o p.txt", "asvs");
+    expect_usage("corridor -n 201 -o p.txt", "asvs");
+    expect_usage("corridor -n -7 -o p.txt", "--asvs");
+    expect_usage("corridor -n seven -o p.txt", "--asvs");
+    expect_usage("corridor -n 7 --seed -1 -o p.txt", "--seed");
+    expect_usage("corridor -n 7 --height-factor nan -o p.txt", "height-factor");
+    expect_usage("corridor -n 7 --height 0.9 -o p.txt", "height");
+    expect_usage("corridor -n 7 --height 0.1 --height-factor 2 -o p.txt", "excludes");
+    expect_usage("corridor -n 7 --walls 2 -o p.txt", "--walls");
+    expect_usage("corridor -n 7 --orientation up -o p.txt", "--orientation");
+    expect_usage("gauntlet -n 7 --walls -1 -o p.txt", "--walls");
+    expect_usage("maze -n 7 --cells 40 -o p.txt", "cells");
+    expect_usage("clutter -n 7 --obstacles 3000000 -o p.txt", "obstacles");
+    expect_usage("corridor -n 70 -o p.txt", "leave more room");
+}
+
+TEST_F(GenerateProgram, OutputThatCannotBeWrittenHasItsOwnCode) {
+    EXPECT_EQ(run("corridor -n 7 -o missing/p.txt"), 5);
+    EXPECT_NE(message().find("missing/p.txt"), std::string::npos);
+    EXPECT_EQ(run("corridor -n 7 -o ."), 5);
+}
+
+TEST_F(GenerateProgram, HelpAndVersion) {
+    EXPECT_EQ(run("--help"), 0);
+    EXPECT_NE(text("output").find("Example"), std::string::npos);
+    EXPECT_EQ(run("maze --help"), 0);
+    EXPECT_NE(text("output").find("--way-factor"), std::string::npos);
+    EXPECT_EQ(run("--version"), 0);
+    EXPECT_NE(text("output").find("asv-generate "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace asv

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asv::test {
+
+/// What a program left behind.
+struct Outcome {
+    int exit_code = 0;  ///< minus the signal where one ended it
+    std::string out;
+    std::string err;
+};
+
+/// The world that a program runs in; 0 means as it is here.
+struct Surroundings {
+    std::size_t largest_file = 0;  ///< bytes that any file may grow to
+    std::size_t memory = 0;        ///< bytes of address space; not kept under sanitizers
+    unsigned user = 0;             ///< run as this user, which only root can ask for
+    std::filesystem::path standard_output = {};  ///< instead of Outcome::out
+};
+
+/// Exit code of a program in which a sanitizer found something.
+inline constexpr int sanitizer_exit_code = 99;
+
+/// Exit code when the program itself could not be started.
+inline constexpr int cannot_start = 127;
+
+/// Runs bin/NAME of this build to its end, at most a minute, without standard input.
+Outcome run_program(const std::string& name, const std::vector<std::string>& arguments,
+                    const Surroundings& surroundings = {});
+
+}  // namespace asv::test
