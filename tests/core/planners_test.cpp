@@ -151,12 +151,6 @@ TEST(Settings, SwitchesAreOnOrOff) {
     }
 }
 
-TEST(Settings, AWordThatIsNoNumberSuitsSwitchesAlone) {
-    Planner planner = planner_named("auto");
-    EXPECT_THROW(set(planner, "slide-step", "on"), std::invalid_argument);
-    EXPECT_THROW(set(planner, "slide-steps", "true"), std::invalid_argument);
-}
-
 TEST(Settings, AnUnknownNameIsToldWhatThereIs) {
     for (const auto planner_name : planner_names()) {
         Planner planner = planner_named(planner_name);

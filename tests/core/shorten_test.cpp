@@ -111,33 +111,6 @@ TEST(Cost, LosesNothingOverAMillionSteps) {
     EXPECT_DOUBLE_EQ(cost(path), 1e5);
 }
 
-TEST(Shortcutter, KeepsEndsAndValidityAndGains) {
-    for_seeds(scaled(15), [](Rng& rng) {
-        const std::size_t sizes[] = {1, 3, 7};
-        Wanderer wanderer(rng, sizes[rng.below(3)], 4);
-        if (wanderer.path.size() < 4 * wanderer.world.chain.dimension()) return;
-        Shortcutter shortcutter(wanderer.world.chain, wanderer.path);
-        const Bridge straight = [&](auto from, auto to, Rows& rows) {
-            if (!wanderer.checker.valid(from, to)) return false;
-            rows.assign(to.begin(), to.end());
-            return true;
-        };
-        for (int i = 0; i < 60; ++i) {
-            const double before = shortcutter.cost();
-            const Rows rows = shortcutter.path();
-            if (shortcutter.attempt(straight, 0.7, rng)) {
-                ASSERT_LT(shortcutter.cost(), before);
-            } else {
-                ASSERT_EQ(shortcutter.path(), rows);
-            }
-        }
-        wanderer.expect_same_ends(shortcutter.path());
-        Oracle(wanderer.world).expect_valid_path(shortcutter.path());
-        const double expected = way(wanderer.world.chain, shortcutter.path());
-        ASSERT_NEAR(shortcutter.cost(), expected, 2e-3 * expected);
-    });
-}
-
 TEST(Shortcutter, DetoursThatCostMoreAreNotTaken) {
     const Chain point(1, 0.05, Anchor::centroid);
     const Rows bend{0, 0, 1, 0, 1, 1};
@@ -161,8 +134,8 @@ TEST(Improve, CostNeverGrowsAndThePathStaysValid) {
         const std::size_t sizes[] = {1, 3, 7, 15};
         Wanderer wanderer(rng, sizes[rng.below(4)], 4);
         double last = MotionCost(wanderer.world.chain).path(wanderer.path);
-        const Rows better = improve(wanderer.path, wanderer.checker, wanderer.steering, 2e5, {},
-                                    rng, [&](double found) {
+        const Rows better = improve(wanderer.path, wanderer.checker, wanderer.world.metric,
+                                    wanderer.steering, {}, 2e5, {}, rng, [&](double found) {
                                         EXPECT_LT(found, last);
                                         last = found;
                                         ++gains;
@@ -178,7 +151,8 @@ TEST(Improve, SameSeedSamePath) {
     const auto improved = [](std::uint64_t seed) {
         Rng made(3), rng(seed);
         Wanderer wanderer(made, 7, 4);
-        return improve(wanderer.path, wanderer.checker, wanderer.steering, 1e5, {}, rng);
+        return improve(wanderer.path, wanderer.checker, wanderer.world.metric, wanderer.steering,
+                       {}, 1e5, {}, rng);
     };
     EXPECT_EQ(improved(1), improved(1));
     EXPECT_NE(improved(1), improved(2));
@@ -187,28 +161,34 @@ TEST(Improve, SameSeedSamePath) {
 TEST(Improve, EndsWhenItHasTo) {
     Rng rng(3);
     Wanderer wanderer(rng, 7, 4);
-    EXPECT_EQ(improve(wanderer.path, wanderer.checker, wanderer.steering, 0, {}, rng),
+    EXPECT_EQ(improve(wanderer.path, wanderer.checker, wanderer.world.metric, wanderer.steering, {},
+                      0, {}, rng),
               wanderer.path);
     Limits expired;
     expired.deadline = Clock::now();
-    EXPECT_EQ(improve(wanderer.path, wanderer.checker, wanderer.steering, 1e9, expired, rng),
+    EXPECT_EQ(improve(wanderer.path, wanderer.checker, wanderer.world.metric, wanderer.steering, {},
+                      1e9, expired, rng),
               wanderer.path);
     std::stop_source source;
     Limits stopped;
     stopped.stop = source.get_token();
     source.request_stop();
-    EXPECT_EQ(improve(wanderer.path, wanderer.checker, wanderer.steering, 1e9, stopped, rng),
+    EXPECT_EQ(improve(wanderer.path, wanderer.checker, wanderer.world.metric, wanderer.steering, {},
+                      1e9, stopped, rng),
               wanderer.path);
 }
 
 TEST(Improve, APathThatStaysWhereItIs) {
     Rng rng(1);
     Wanderer wanderer(rng, 3, 0);
-    EXPECT_EQ(improve(wanderer.path, wanderer.checker, wanderer.steering, 1e4, {}, rng),
+    EXPECT_EQ(improve(wanderer.path, wanderer.checker, wanderer.world.metric, wanderer.steering, {},
+                      1e4, {}, rng),
               wanderer.path);
     Rows twice(wanderer.path);
     twice.insert(twice.end(), wanderer.path.begin(), wanderer.path.end());
-    EXPECT_EQ(improve(twice, wanderer.checker, wanderer.steering, 1e4, {}, rng), twice);
+    EXPECT_EQ(improve(twice, wanderer.checker, wanderer.world.metric, wanderer.steering, {}, 1e4,
+                      {}, rng),
+              twice);
 }
 
 }  // namespace
