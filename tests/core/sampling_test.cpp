@@ -25,7 +25,8 @@ constexpr Box unit{{0, 0}, {1, 1}};
 
 struct Field {
     Field(std::size_t n, std::vector<Box> boxes, Anchor anchor)
-        : world(testing::problem(ring(n, {0.2, 0.2}, 0), ring(n, {0.8, 0.8}, 0), std::move(boxes)),
+        : world(testing::problem(ring(n, {0.25, 0.25}, 0), ring(n, {0.75, 0.75}, 0),
+                                 std::move(boxes)),
                 anchor),
           checker(world.make_checker()),
           oracle(world) {}
@@ -157,6 +158,24 @@ TEST(Corridors, WideGapsAndOverlapsAreNone) {
     EXPECT_FALSE(Corridors(far, unit, 0.21).gaps().empty());
     const std::vector<Box> overlapping{{{0.3, 0.3}, {0.6, 0.6}}, {{0.5, 0.5}, {0.7, 0.7}}};
     EXPECT_TRUE(Corridors(overlapping, unit, 0.1).gaps().empty());
+}
+
+TEST(PassagePoints, LieInTheDoorFarMoreOftenThanByChance) {
+    const std::vector<Box> boxes{{{0.45, -1}, {0.55, 0.45}}, {{0.45, 0.55}, {0.55, 2}}};
+    const ObstacleField field(boxes);
+    const Box door{{0.45, 0.45}, {0.55, 0.55}};
+    std::size_t found = 0, in_door = 0;
+    for_seeds(2000, [&](Rng& rng) {
+        const auto point = passage_point(field, unit, rng);
+        if (!point) return;
+        ++found;
+        ASSERT_FALSE(field.contains(*point));
+        ASSERT_TRUE(geometry::contains(unit, *point));
+        in_door += geometry::contains(door, *point);
+    });
+    EXPECT_GE(found, 300U);
+    // The door is a hundredth of the field.
+    EXPECT_GE(in_door, found / 5);
 }
 
 TEST(PassagePoints, AnOpenFieldHasNone) {
