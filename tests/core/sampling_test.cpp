@@ -38,6 +38,24 @@ struct Field {
 
 const std::vector<Box> middle{{{0.45, 0.45}, {0.55, 0.55}}};
 
+TEST(ShapeSampler, SamplesAreValid) {
+    for (const std::size_t n : {1U, 3U, 4U, 7U, 15U, 25U}) {
+        SCOPED_TRACE(std::to_string(n) + " ASVs");
+        Field field(n, n < 25 ? middle : std::vector<Box>{}, Anchor::centroid);
+        ShapeSampler sampler(field.checker);
+        std::size_t found = 0;
+        for_seeds(100, [&](Rng& rng) {
+            Row row(field.world.chain.dimension());
+            if (!sampler.sample(rng, row)) return;
+            ++found;
+            ASSERT_GE(field.oracle.room(row), 0);
+            ASSERT_TRUE(field.oracle.judged_valid(row));
+        });
+        // A ring of 25 is 0.4 across: few places in the field have room for it.
+        EXPECT_GE(found, n < 25 ? 90U : 70U);
+    }
+}
+
 TEST(ShapeSampler, SamplesSpreadOverPlacesHeadingsAndShapes) {
     Field field(7, middle, Anchor::centroid);
     ShapeSampler sampler(field.checker);
