@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "asv/core/body.hpp"
 #include "asv/core/requirements.hpp"
 #include "asv/geometry/primitives.hpp"
 
@@ -11,7 +12,8 @@ namespace asv::core {
 using geometry::Box;
 using geometry::Point;
 
-/// Where the ASVs stand, in chain order, and where they shall go, among closed rectangles.
+/// Where the ASVs stand, in chain order, and where they shall go, among closed rectangles. For an
+/// arm the points are its base, its joints and its tip.
 /// Invariant kept by the readers: start.size() == goal.size() >= 1, all numbers finite,
 /// obstacles not empty.
 struct Problem {
@@ -19,8 +21,12 @@ struct Problem {
     std::vector<Point> goal;
     std::vector<Box> obstacles;
     Requirements requirements;
+    Body body = AsvChain{};
 
     std::size_t asv_count() const { return start.size(); }
+    BodyKind body_kind() const { return kind(body); }
+    /// The arm; null for the other bodies.
+    const PlanarArm* arm() const { return std::get_if<PlanarArm>(&body); }
 };
 
 }  // namespace asv::core

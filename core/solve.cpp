@@ -9,14 +9,9 @@
 
 #include "asv/core/path/cost.hpp"
 #include "asv/core/path/feasibility.hpp"
-#include "asv/core/path/improve.hpp"
 #include "asv/core/path/lower_bound.hpp"
-#include "asv/core/path/motion_cost.hpp"
-#include "asv/core/path/primitive_steps.hpp"
-#include "asv/core/space/broom_world.hpp"
-#include "asv/core/space/sliding_space.hpp"
+#include "asv/core/solving/body_planning.hpp"
 #include "asv/core/validate.hpp"
-#include "asv/geometry/polygon.hpp"
 
 namespace asv::core {
 
@@ -44,40 +39,6 @@ double easy(const Problem& problem) {
     return 0.2 + 2e-5 * static_cast<double>(problem.obstacles.size());
 }
 
-/// What one thread makes of the problem.
-struct Attempt {
-    SearchResult search;
-    std::uint64_t state_checks = 0, edge_checks = 0, constrained_steps = 0;
-};
-
-Attempt run(const AutoPlanner& planner, const BroomWorld& world, const Limits& limits, Rng& rng,
-            const Observer& observer) {
-    SlidingSpace space(world, planner.steering);
-    Attempt attempt;
-    attempt.search =
-        slide_pull(space, {world.start, world.goal}, planner.search, limits, rng, observer);
-    attempt.state_checks = space.checker().state_checks();
-    attempt.edge_checks = space.checker().motion_checks();
-    attempt.constrained_steps = space.constrained_steps();
-    return attempt;
-}
-
-Attempt run(const RrtConnectPlanner& planner, const BroomWorld& world, const Limits& limits,
-            Rng& rng, const Observer& observer) {
-    ClassicSpace space(world, planner.space);
-    Attempt attempt;
-    attempt.search =
-        rrt_connect(space, {world.start, world.goal}, planner.search, limits, rng, observer);
-    attempt.state_checks = space.checker().state_checks();
-    attempt.edge_checks = space.checker().motion_checks();
-    return attempt;
-}
-
-Anchor anchor_of(const Planner& planner) {
-    return std::holds_alternative<RrtConnectPlanner>(planner) ? Anchor::first_asv
-                                                              : Anchor::centroid;
-}
-
 /// One call of solve().
 class Solver {
   public:
@@ -85,7 +46,7 @@ class Solver {
         : given_(problem),
           options_(options),
           problem_(options.reverse ? reversed(problem) : problem),
-          world_(problem_, anchor_of(options.planner)),
+          planning_(make_planning(problem_, options.planner)),
           deadline_(after(options.started, options.time_limit - time_to_finish())),
           outside_stop_(options.stop, [this] { stop_.request_stop(); }) {}
 
@@ -111,6 +72,7 @@ class Solver {
   private:
     static Problem reversed(Problem problem) {
         std::swap(problem.start, problem.goal);
+        if (auto* arm = std::get_if<PlanarArm>(&problem.body)) std::swap(arm->start, arm->goal);
         return problem;
     }
 
@@ -146,9 +108,7 @@ class Solver {
         limits.stop = stop_.get_token();
         Rng rng(seed_of(thread));
         const Observer observer = thread == 0 ? make_observer() : Observer{};
-        Attempt attempt = std::visit(
-            [&](const auto& planner) { return core::run(planner, world_, limits, rng, observer); },
-            options_.planner);
+        Attempt attempt = planning_->search(limits, rng, observer);
         const std::lock_guard lock(mutex_);
         SolveStatistics& statistics = result_.statistics;
         statistics.state_checks += attempt.state_checks;
@@ -168,7 +128,7 @@ class Solver {
         stop_.request_stop();
         rows_ = std::move(attempt.search.path);
         statistics.time_to_first = seconds_since(options_.started);
-        statistics.cost_first = MotionCost(world_.chain).path(rows_);
+        statistics.cost_first = planning_->cost(rows_);
         statistics.cost_history.emplace_back(statistics.time_to_first, statistics.cost_first);
     }
 
@@ -197,7 +157,7 @@ class Solver {
         double best = std::numeric_limits<double>::infinity();
         const auto improve_once = [&](std::size_t thread) {
             Rows rows = improved(first, thread);
-            const double cost = MotionCost(world_.chain).path(rows);
+            const double cost = planning_->cost(rows);
             const std::lock_guard lock(mutex_);
             if (cost >= best) return;
             best = cost;
@@ -210,40 +170,22 @@ class Solver {
     }
 
     Rows improved(const Rows& first, std::size_t thread) {
-        Limits limits;
-        limits.deadline = deadline_;
-        limits.stop = options_.stop;
+        ImprovementOrder order;
+        order.work = cheap_work + 1e6 * options_.optimize;
+        order.other_paths = options_.optimize > 0;
+        order.limits.deadline = deadline_;
+        order.limits.stop = options_.stop;
         // Searches that take much longer than the first one did are not worth their time.
-        Limits search_limits = limits;
-        search_limits.max_iterations = 3 * result_.statistics.iterations + 200;
-        const auto another = [&](Rng& draws) {
-            Attempt attempt = std::visit(
-                [&](const auto& chosen) {
-                    return core::run(chosen, world_, search_limits, draws, {});
-                },
-                options_.planner);
-            count(attempt.state_checks, attempt.edge_checks);
-            return AnotherPath{
-                std::move(attempt.search.path),
-                work_of(attempt.state_checks, attempt.constrained_steps, given_.asv_count())};
-        };
-        MotionChecker checker = world_.make_checker();
-        const auto* planner = std::get_if<AutoPlanner>(&options_.planner);
-        SlideSteering steering(checker, world_.metric,
-                               planner ? planner->steering : SlideOptions{});
+        order.search_limits = order.limits;
+        order.search_limits.max_iterations = 3 * result_.statistics.iterations + 200;
+        order.on_better = [&](double cost) { note_better(cost, thread == 0); };
         Rng rng(~seed_of(*winner_ + thread));
-        Rows rows = improve(first, checker, world_.metric, steering,
-                            options_.optimize > 0 ? another : std::function<AnotherPath(Rng&)>{},
-                            cheap_work + 1e6 * options_.optimize, limits, rng,
-                            [&](double cost) { note_better(cost, thread == 0); });
-        count(checker.state_checks(), checker.motion_checks());
-        return rows;
-    }
-
-    void count(std::uint64_t state_checks, std::uint64_t edge_checks) {
+        Attempt spent;
+        Rows rows = planning_->improve(first, order, rng, spent);
         const std::lock_guard lock(mutex_);
-        result_.statistics.state_checks += state_checks;
-        result_.statistics.edge_checks += edge_checks;
+        result_.statistics.state_checks += spent.state_checks;
+        result_.statistics.edge_checks += spent.edge_checks;
+        return rows;
     }
 
     /// Keeps the history of the best cost of all threads; the first one reports.
@@ -258,19 +200,9 @@ class Solver {
     }
 
     void finish() {
-        MotionChecker checker = world_.make_checker();
-        const Path planned = primitive_steps(world_.problem, rows_, checker);
-        Path path(planned.asv_count());
-        path.reserve(planned.size());
-        std::vector<Point> state;
-        for (std::size_t i = 0; i < planned.size(); ++i) {
-            const auto from = planned.state(options_.reverse ? planned.size() - 1 - i : i);
-            state.assign(from.begin(), from.end());
-            if (world_.transposed)
-                for (Point& p : state) std::swap(p.x, p.y);
-            path.push_back(state);
-        }
-        const double total = cost(path);
+        Path path = planning_->steps(rows_);
+        if (options_.reverse) path = backwards(path);
+        const double total = cost(given_, path);
         Solution solution{std::move(path), total};
         const ValidationReport report =
             validate(given_, solution, {.tolerance = given_.requirements.tolerance});
@@ -285,20 +217,21 @@ class Solver {
         result_.status = SolveStatus::solved;
     }
 
+    static Path backwards(const Path& path) {
+        Path result(path.asv_count());
+        result.reserve(path.size());
+        for (std::size_t i = path.size(); i-- > 0;) result.push_back(path.state(i));
+        return result;
+    }
+
     void draw_trees(const std::vector<Tree>& trees) {
         result_.trees.clear();
-        Pose pose = world_.chain.make_pose();
         for (const Tree& tree : trees) {
-            TreePicture picture;
-            for (std::uint32_t node = 0; node < tree.size(); ++node) {
-                world_.chain.forward(tree.row(node), pose);
-                const Point at =
-                    world_.transposed ? Point{pose.y[0], pose.x[0]} : Point{pose.x[0], pose.y[0]};
-                picture.points.push_back(at);
+            TreePicture picture{planning_->places(tree), {}};
+            for (std::uint32_t node = 0; node < tree.size(); ++node)
                 picture.parents.push_back(tree.parent(node) == Tree::none
                                               ? -1
                                               : static_cast<std::int64_t>(tree.parent(node)));
-            }
             result_.trees.push_back(std::move(picture));
         }
         if (options_.reverse) std::reverse(result_.trees.begin(), result_.trees.end());
@@ -307,7 +240,7 @@ class Solver {
     const Problem& given_;
     const SolveOptions& options_;
     Problem problem_;
-    BroomWorld world_;
+    std::unique_ptr<BodyPlanning> planning_;
     Clock::time_point deadline_;
     std::stop_source stop_;
     std::stop_callback<std::function<void()>> outside_stop_;

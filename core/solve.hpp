@@ -50,7 +50,8 @@ struct InvalidEnd {
     std::string reason;
 };
 
-/// A search tree as a picture shows it: where ASV 1 stands at each node, and the node's parent.
+/// A search tree as a picture shows it: where ASV 1, the tip of an arm or the point is at each
+/// node, and the node's parent.
 struct TreePicture {
     std::vector<geometry::Point> points;
     std::vector<std::int64_t> parents;  ///< -1 for the root

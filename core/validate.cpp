@@ -4,9 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "asv/core/validation/arm_report.hpp"
 #include "asv/core/validation/collisions.hpp"
 #include "asv/core/validation/continuous.hpp"
 #include "asv/core/validation/path_checks.hpp"
+#include "asv/core/validation/point_report.hpp"
 #include "asv/core/validation/state_checks.hpp"
 
 namespace asv::core {
@@ -102,6 +104,10 @@ ValidationReport validate(const Problem& problem, const Solution& solution,
         throw std::invalid_argument("validate: path and problem differ in their number of ASVs");
     }
     const Requirements requirements = with_tolerance(problem, options.tolerance);
+    if (const PlanarArm* arm = problem.arm())
+        return validation::report_arm(problem, *arm, solution, requirements, options);
+    if (problem.body_kind() == BodyKind::point)
+        return validation::report_point(problem, solution, requirements, options);
     ValidationReport report;
     report.cost =
         check_path(problem, solution, requirements, options.list_offenders, report.checks);
@@ -120,6 +126,10 @@ ValidationReport validate_state(const Problem& problem, std::span<const geometry
                                 const ValidationOptions& options) {
     if (state.empty()) throw std::invalid_argument("validate_state: the state has no ASV");
     const Requirements requirements = with_tolerance(problem, options.tolerance);
+    if (const PlanarArm* arm = problem.arm())
+        return validation::report_arm_state(problem, *arm, state, requirements, options);
+    if (problem.body_kind() == BodyKind::point)
+        return validation::report_point_state(problem, state, requirements, options);
     ValidationReport report;
     const Obstacles obstacles(problem.obstacles, requirements.tolerance);
     StateChecks states(requirements, obstacles, options.list_offenders);

@@ -15,21 +15,36 @@
 
 namespace asv::core {
 
-/// In the order in which they are reported.
-enum class Check { ends, steps, cost, broom_lengths, convexity, area, bounds, collisions };
-inline constexpr std::size_t check_count = 8;
+/// The eight of a chain of ASVs in the order in which they are reported, then those of an arm
+/// alone. An arm is checked for ends, steps, cost, link lengths, base, joint limits, bounds,
+/// collisions; a point for ends, steps, cost, bounds, collisions.
+enum class Check {
+    ends,
+    steps,
+    cost,
+    broom_lengths,
+    convexity,
+    area,
+    bounds,
+    collisions,
+    link_lengths,
+    base,
+    joint_limits
+};
+inline constexpr std::size_t check_count = 8;  ///< of a chain of ASVs
 
-/// "ends", "steps", "cost", "broom lengths", "convexity", "area", "bounds", "collisions".
+/// "ends", "steps", "cost", "broom lengths", ..., "link lengths", "base", "joint limits".
 std::string_view name(Check check);
 
 /// One violation or, where there is none, the state that comes nearest to one.
 struct Offender {
     std::size_t state = 0;                ///< row of the path, 0 is the first; of a step, its end
-    std::optional<std::size_t> asv;       ///< 0-based, where one ASV is to blame
-    std::optional<std::size_t> broom;     ///< 0-based, broom i joins ASV i and i + 1
+    std::optional<std::size_t> asv;       ///< 0-based, where one ASV, point or joint is to blame
+    std::optional<std::size_t> broom;     ///< 0-based, broom or link i joins points i and i + 1
     std::optional<std::size_t> obstacle;  ///< 0-based index into Problem::obstacles
     std::optional<double> time;           ///< in [0, 1] between the state before and this one
     double room = 0;  ///< what is left to the limit; negative: violated by that much
+    BodyKind body = BodyKind::chain;  ///< whose parts are meant
 };
 
 /// The outcome of one check over all states.
@@ -51,7 +66,7 @@ struct ValidationOptions {
 struct ValidationReport {
     std::vector<CheckResult> checks;
     std::vector<CheckResult> motion;  ///< the checks along the steps, where they are asked for
-    double cost = 0;                  ///< total distance moved by all ASVs, as computed here
+    double cost = 0;                  ///< as computed here, see Body
     bool valid() const;
 };
 
@@ -62,7 +77,8 @@ struct ValidationReport {
 ValidationReport validate(const Problem& problem, const Solution& solution,
                           const ValidationOptions& options = {});
 
-/// Checks one state alone (broom lengths, convexity, area, bounds, collisions): starts and goals.
+/// Checks one state alone (what is left of the checks without ends, steps and cost): starts and
+/// goals.
 ValidationReport validate_state(const Problem& problem, std::span<const geometry::Point> state,
                                 const ValidationOptions& options = {});
 

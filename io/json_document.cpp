@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 #include "asv/io/json_place.hpp"
 #include "asv/io/parse_error.hpp"
+#include "asv/io/scanner.hpp"
 
 namespace asv::io {
 
@@ -62,6 +64,33 @@ void JsonDocument::fail(const Pointer& at, const std::string& expected) const {
                      found);
 }
 
+std::size_t JsonDocument::line(const Pointer& at) const {
+    return place_of_value(text_, at.to_string()).line;
+}
+
+void JsonDocument::require_object(const Pointer& at) const {
+    if (!has(at) || !root_.at(at).is_object()) fail(at, "an object");
+}
+
+void JsonDocument::require_members(const Pointer& at,
+                                   std::initializer_list<std::string_view> needed,
+                                   std::initializer_list<std::string_view> optional) const {
+    require_object(at);
+    for (const std::string_view key : needed)
+        if (!has(at / std::string(key))) fail(at / std::string(key), "a member");
+    const auto is_in_list = [](const auto& list, const std::string& key) {
+        return std::find(list.begin(), list.end(), key) != list.end();
+    };
+    for (const auto& [key, value] : root_.at(at).items()) {
+        if (is_in_list(needed, key) || is_in_list(optional, key)) continue;
+        std::string known;
+        for (const auto& list : {needed, optional})
+            for (const std::string_view name : list)
+                known.append(known.empty() ? "" : ", ").append(name);
+        fail(at / key, "no other members than " + known);
+    }
+}
+
 const Json& JsonDocument::array(const Pointer& at) const {
     if (!has(at) || !root_.at(at).is_array()) fail(at, "an array");
     return root_.at(at);
@@ -75,6 +104,21 @@ std::string JsonDocument::text(const Pointer& at) const {
 double JsonDocument::number(const Pointer& at) const {
     if (!has(at) || !root_.at(at).is_number()) fail(at, "a number");
     return root_.at(at).get<double>();
+}
+
+double JsonDocument::number(const Pointer& at, double low, double high) const {
+    const double value = number(at);
+    if (value >= low && value <= high) return value;
+    std::ostringstream expected;
+    const bool positive = low > 0 && low == std::numeric_limits<double>::min();
+    if (positive) {
+        expected << "a number greater than 0";
+    } else if (high >= largest_number) {
+        expected << "a number of at least " << low;
+    } else {
+        expected << "a number from " << low << " to " << high;
+    }
+    fail(at, expected.str());
 }
 
 std::int64_t JsonDocument::integer(const Pointer& at, std::int64_t low, std::int64_t high) const {

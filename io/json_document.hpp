@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -23,11 +25,24 @@ class JsonDocument {
 
     bool has(const Pointer& at) const { return root_.contains(at); }
     bool is_null(const Pointer& at) const { return has(at) && root_.at(at).is_null(); }
+    bool is_array(const Pointer& at) const { return has(at) && root_.at(at).is_array(); }
+    bool is_number(const Pointer& at) const { return has(at) && root_.at(at).is_number(); }
+    bool is_text(const Pointer& at) const { return has(at) && root_.at(at).is_string(); }
+
+    /// The line on which the value there begins.
+    std::size_t line(const Pointer& at) const;
+
+    /// Throws ParseError unless there is an object.
+    void require_object(const Pointer& at) const;
+    /// Likewise, unless it has all needed members and no others than these and the optional ones.
+    void require_members(const Pointer& at, std::initializer_list<std::string_view> needed,
+                         std::initializer_list<std::string_view> optional) const;
 
     /// The value there; each throws ParseError when it is missing or something else.
     const Json& array(const Pointer& at) const;
     std::string text(const Pointer& at) const;
     double number(const Pointer& at) const;
+    double number(const Pointer& at, double low, double high) const;
     std::int64_t integer(const Pointer& at, std::int64_t low, std::int64_t high) const;
 
     /// The same for a value that is at hand, which spares looking it up.

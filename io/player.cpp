@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "asv/core/space/window.hpp"
 #include "asv/io/drawing/canvas.hpp"
 #include "asv/io/player/assets.hpp"
 #include "asv/io/player/packing.hpp"
@@ -65,7 +66,8 @@ void add_states(ordered_json& data, const Exhibit& exhibit) {
     integers("clearanceBroom", [](const M& m) { return m.clearance ? m.clearance->broom : 0; });
     integers("clearanceObstacle",
              [](const M& m) { return m.clearance ? m.clearance->obstacle : 0; });
-    doubles("area", [](const M& m) { return m.area; });
+    const bool closed = exhibit.problem.body_kind() == core::BodyKind::chain;
+    doubles("area", [&](const M& m) { return closed ? m.area : none; });
     doubles("turn", [](const M& m) { return m.tightest_turn.value_or(none); });
     integers("turnAsv", [](const M& m) { return m.tightest_asv; });
 }
@@ -124,11 +126,17 @@ void add_trees(ordered_json& data, const Exhibit& exhibit) {
     if (!edges.empty()) data["trees"][0]["edges"] = pack_integers(edges);
 }
 
+const char* kind_name(core::BodyKind body) {
+    constexpr const char* names[] = {"chain", "arm", "point"};
+    return names[static_cast<std::size_t>(body)];
+}
+
 ordered_json data_of(const Exhibit& exhibit) {
     const core::Problem& problem = exhibit.problem;
-    const Box& bounds = problem.requirements.bounds;
+    const Box bounds = core::planning_window(problem);
     ordered_json data = {{"name", exhibit.name},
                          {"facts", facts(exhibit)},
+                         {"body", kind_name(problem.body_kind())},
                          {"asvCount", problem.asv_count()},
                          {"bounds", {bounds.low.x, bounds.low.y, bounds.high.x, bounds.high.y}},
                          {"minimumArea", problem.requirements.minimum_area(problem.asv_count())},

@@ -7,6 +7,7 @@
 #include "asv/io/atomic_file.hpp"
 #include "asv/io/number_text.hpp"
 #include "asv/io/scanner.hpp"
+#include "asv/io/scenario_file.hpp"
 
 namespace asv::io {
 namespace {
@@ -165,7 +166,9 @@ ProblemFile parse_problem(std::string_view text, const std::string& name) {
 }
 
 ProblemFile read_problem(const std::filesystem::path& file) {
-    return parse_problem(read_file(file), file.string());
+    const std::string text = read_file(file);
+    if (is_scenario(text)) return parse_scenario(text, file.string(), file.parent_path());
+    return parse_problem(text, file.string());
 }
 
 void write_problem(const std::filesystem::path& file, const core::Problem& problem) {

@@ -21,13 +21,16 @@ struct Warning {
 struct ProblemFile {
     core::Problem problem;
     std::vector<Warning> warnings;
+    std::size_t start_line = 2;  ///< where the start stands in the file
+    std::size_t goal_line = 3;   ///< where the goal does
 };
 
-/// Reads the classic format (line 1: n; lines 2, 3: start, goal; line 4: m; then m obstacles).
-/// Throws ParseError (not understood) or FileError (not readable).
+/// Reads the classic format (line 1: n; lines 2, 3: start, goal; line 4: m; then m obstacles), or a
+/// scenario (see scenario_file.hpp) where the file begins with '{'. Throws ParseError (not
+/// understood) or FileError (not readable).
 ProblemFile read_problem(const std::filesystem::path& file);
 
-/// The same from text; name stands for the file in messages.
+/// The classic format from text; name stands for the file in messages.
 ProblemFile parse_problem(std::string_view text, const std::string& name);
 
 /// Writes the classic format, whole or not at all; reads back to the same numbers.

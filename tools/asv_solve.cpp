@@ -176,8 +176,9 @@ ExitCode solve_file(const CommandLine& command_line, Arguments& arguments) {
     command_line.print(file.warnings);
     if (const auto invalid = core::invalid_ends(file.problem); !invalid.empty()) {
         for (const core::InvalidEnd& end : invalid)
-            std::cerr << arguments.problem << ':' << (end.goal ? 3 : 2) << ": "
-                      << (end.goal ? "goal" : "start") << " is not valid: " << end.reason << '\n';
+            std::cerr << arguments.problem << ':' << (end.goal ? file.goal_line : file.start_line)
+                      << ": " << (end.goal ? "goal" : "start") << " is not valid: " << end.reason
+                      << '\n';
         return ExitCode::bad_input;
     }
     for (const std::string* output : {&arguments.solution, &arguments.stats, &arguments.trees})

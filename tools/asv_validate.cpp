@@ -73,12 +73,13 @@ void print(const ValidatedPart& part) {
     for (const CheckResult& result : part.report.motion) print(part, result, "motion: ");
 }
 
-std::vector<ValidatedPart> check(const asv::core::Problem& problem, const Arguments& arguments) {
+std::vector<ValidatedPart> check(const asv::io::ProblemFile& file, const Arguments& arguments) {
+    const asv::core::Problem& problem = file.problem;
     using asv::core::validate_state;
     const auto& options = arguments.options;
     if (arguments.solution.empty()) {
-        return {{"start", 2, validate_state(problem, problem.start, options)},
-                {"goal", 3, validate_state(problem, problem.goal, options)}};
+        return {{"start", file.start_line, validate_state(problem, problem.start, options)},
+                {"goal", file.goal_line, validate_state(problem, problem.goal, options)}};
     }
     const auto solution = asv::io::read_solution(arguments.solution, problem.asv_count());
     return {{"path", 2, validate(problem, solution, options)}};
@@ -91,7 +92,7 @@ ExitCode validate_files(const CommandLine& command_line, const Arguments& argume
     const asv::io::ProblemFile file = asv::io::read_problem(arguments.problem);
     command_line.print(file.warnings);
     const ValidationSummary summary{arguments.problem, arguments.solution,
-                                    arguments.options.tolerance, check(file.problem, arguments)};
+                                    arguments.options.tolerance, check(file, arguments)};
     for (const ValidatedPart& part : summary.parts) print(part);
     std::cout << (summary.valid() ? "valid\n" : "not valid\n");
     // The JSON may be told to follow on standard output.

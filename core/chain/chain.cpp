@@ -14,6 +14,8 @@ Chain::Chain(std::size_t asv_count, double broom_length, Anchor anchor)
     : asv_count_(asv_count), broom_length_(broom_length), anchor_(anchor) {
     if (asv_count == 0) throw std::invalid_argument("Chain: asv_count must be at least 1");
     if (!(broom_length > 0)) throw std::invalid_argument("Chain: broom_length must be positive");
+    link_length_.assign(broom_count(), broom_length);
+    ratio_.assign(broom_count(), 1.0);
     anchor_lever_.assign(broom_count(), 0.0);
     heading_share_.assign(turn_count(), 0.0);
     if (anchor == Anchor::first_asv) return;
@@ -22,6 +24,17 @@ Chain::Chain(std::size_t asv_count, double broom_length, Anchor anchor)
         anchor_lever_[k] = -(n - 1 - static_cast<double>(k)) / n;
     for (std::size_t i = 0; i < turn_count(); ++i)
         heading_share_[i] = (n - 2 - static_cast<double>(i)) / (n - 1);
+}
+
+Chain::Chain(std::span<const double> link_lengths)
+    : Chain(link_lengths.size() + 1, link_lengths.empty() ? 1.0 : link_lengths[0],
+            Anchor::first_asv) {
+    link_length_.assign(link_lengths.begin(), link_lengths.end());
+    for (std::size_t k = 0; k < broom_count(); ++k) {
+        if (!(link_length_[k] > 0))
+            throw std::invalid_argument("Chain: link lengths must be positive");
+        ratio_[k] = link_length_[k] / broom_length_;
+    }
 }
 
 void Chain::configuration(std::span<const Point> positions, std::span<double> row) const {
@@ -74,8 +87,8 @@ void Chain::forward(std::span<const double> row, Pose& pose) const {
     pose.x[0] = x;
     pose.y[0] = y;
     for (std::size_t k = 0; k < broom_count(); ++k) {
-        pose.x[k + 1] = x += broom_length_ * pose.ux[k];
-        pose.y[k + 1] = y += broom_length_ * pose.uy[k];
+        pose.x[k + 1] = x += link_length_[k] * pose.ux[k];
+        pose.y[k + 1] = y += link_length_[k] * pose.uy[k];
     }
 }
 

@@ -22,12 +22,16 @@ struct Pose {
     std::vector<double> x, y;     ///< position of each ASV; n entries
 };
 
-/// The chain of n ASVs and n - 1 brooms of one length as a kinematic model. A configuration is a
-/// row of dimension() numbers (see Anchor); angles are in radians, heading 0 is along +x.
+/// The chain of n points and n - 1 links as a kinematic model: ASVs and brooms of one length, an
+/// arm whose first point stays at its base, or a point without any link. A configuration is a row
+/// of dimension() numbers (see Anchor); angles are in radians, heading 0 is along +x.
 class Chain {
   public:
-    /// Precondition: asv_count >= 1, broom_length > 0.
+    /// Brooms of one length. Precondition: asv_count >= 1, broom_length > 0.
     Chain(std::size_t asv_count, double broom_length, Anchor anchor);
+
+    /// Links of these lengths, all positive, anchored at the first point.
+    explicit Chain(std::span<const double> link_lengths);
 
     std::size_t asv_count() const { return asv_count_; }
     std::size_t broom_count() const { return asv_count_ - 1; }
@@ -35,7 +39,9 @@ class Chain {
     std::size_t turn_count() const { return asv_count_ < 3 ? 0 : asv_count_ - 2; }
     /// n + 1 numbers for a chain, 2 for a single point.
     std::size_t dimension() const { return asv_count_ + 1; }
+    /// Of every broom; where lengths differ, that of the first, which the levers refer to.
     double broom_length() const { return broom_length_; }
+    double link_length(std::size_t k) const { return link_length_[k]; }
     Anchor anchor() const { return anchor_; }
 
     /// The configuration whose pose is nearest to the given positions: turns in (-pi, pi], anchored
@@ -56,7 +62,7 @@ class Chain {
     /// by heading k is broom_length * lever(j, s, k) * (unit normal of broom k).
     double lever(std::size_t j, double s, std::size_t k) const {
         const double ahead = k < j ? 1.0 : (k == j ? s : 0.0);
-        return ahead + anchor_lever_[k];
+        return ahead * ratio_[k] + anchor_lever_[k];
     }
     /// The part of lever() that the anchor causes: 0, or minus the share of the ASVs behind broom
     /// k.
@@ -69,6 +75,8 @@ class Chain {
     std::size_t asv_count_;
     double broom_length_;
     Anchor anchor_;
+    std::vector<double> link_length_;
+    std::vector<double> ratio_;  ///< of link_length_ to broom_length_
     std::vector<double> anchor_lever_;
     std::vector<double> heading_share_;
 };

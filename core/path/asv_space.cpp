@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "asv/core/path/seams.hpp"
+#include "asv/core/space/window.hpp"
 #include "asv/geometry/segment_box.hpp"
 
 namespace asv::core {
 
 namespace {
 
-bool broom_meets(std::span<const Point> state, const Box& box) {
+bool body_meets(std::span<const Point> state, const Box& box) {
+    if (state.size() == 1) return geometry::contains(box, state[0]);
     for (std::size_t i = 0; i + 1 < state.size(); ++i) {
         if (geometry::meets({state[i], state[i + 1]}, box)) return true;
     }
@@ -20,16 +22,18 @@ bool broom_meets(std::span<const Point> state, const Box& box) {
 
 }  // namespace
 
-geometry::FreeSpace make_asv_space(const Problem& problem, Reading reading) {
+geometry::FreeSpace make_asv_space(const Problem& given, Reading reading) {
+    const Problem problem = bounded(given);
     const Requirements& requirements = problem.requirements;
     const double e = requirements.tolerance;
     const double jump = reading == Reading::literal ? requirements.max_step + e : e;
     const double shrink = e + jump / 2;
     ShrunkObstacles obstacles = shrink_obstacles(problem, shrink);
-    if (problem.asv_count() < 2) return {{}, obstacles.bounds};
+    const bool collides = problem.asv_count() > 1 || problem.body_kind() == BodyKind::point;
+    if (!collides) return {{}, obstacles.bounds};
     for (const Seam& seam : find_seams(problem, shrink)) {
         if (reading == Reading::literal && !is_impassable(seam, problem)) continue;
-        if (broom_meets(problem.start, seam.gap) || broom_meets(problem.goal, seam.gap)) continue;
+        if (body_meets(problem.start, seam.gap) || body_meets(problem.goal, seam.gap)) continue;
         obstacles.boxes.push_back(seam.gap);
     }
     return {obstacles.boxes, obstacles.bounds};

@@ -25,7 +25,8 @@ enum class Reading {
 /// tolerance e. A straight move of length d between two such places keeps out of the obstacle
 /// shrunk by d / 2 more, since whatever is inside that is farther than d / 2 from all places
 /// outside. By the reading, d is the distance from the given start to the first state, at most e,
-/// or that and each primitive step, at most 0.001 + e. A single ASV has no broom and meets nothing.
+/// or that and each primitive step, at most 0.001 + e. A single ASV has no broom and meets nothing;
+/// a point keeps out of the obstacles like the end of a broom. Not for arms.
 ///
 /// Seams between obstacles are closed as the reading says, `literal` only those through which no
 /// chain can pass (is_impassable), and never those in which a broom of the start or goal lies.

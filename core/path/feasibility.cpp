@@ -54,14 +54,14 @@ std::optional<std::size_t> find_separated(const Problem& problem, Reading readin
 }  // namespace
 
 Feasibility check_area(const Problem& problem) {
-    if (!lacks_area(problem)) return {};
+    if (problem.body_kind() != BodyKind::chain || !lacks_area(problem)) return {};
     return {Infeasibility::no_area, std::nullopt,
             "a chain of " + std::to_string(problem.asv_count()) +
                 " ASVs cannot enclose the area that is required"};
 }
 
 Feasibility check_orientation(const Problem& problem) {
-    if (!has_opposite_orientation(problem)) return {};
+    if (problem.body_kind() != BodyKind::chain || !has_opposite_orientation(problem)) return {};
     const bool left = geometry::signed_area(problem.start) > 0;
     return {Infeasibility::opposite_orientation, std::nullopt,
             std::string("the chain turns ") + (left ? "left" : "right") + " at the start and " +
@@ -70,12 +70,15 @@ Feasibility check_orientation(const Problem& problem) {
 }
 
 Feasibility check_separation(const Problem& problem) {
+    if (problem.body_kind() == BodyKind::arm) return {};
     // What is closed in the literal reading is closed in the intended one as well.
     const auto separated = find_separated(problem, Reading::intended);
     if (!separated) return {};
     const auto proven = find_separated(problem, Reading::literal);
-    const std::string asv = "ASV " + std::to_string(proven.value_or(*separated) + 1);
-    const std::string separate = "obstacles separate the start of " + asv + " from its goal";
+    const std::string who = problem.body_kind() == BodyKind::point
+                                ? "the point"
+                                : "ASV " + std::to_string(proven.value_or(*separated) + 1);
+    const std::string separate = "obstacles separate the start of " + who + " from its goal";
     if (proven) return {Infeasibility::separated, proven, separate};
     return {Infeasibility::separated_as_intended, separated,
             separate + ", unless it slips through where only the tolerance leaves a way"};

@@ -41,8 +41,9 @@ Feasibility check_area(const Problem& problem);
 /// Do start and goal turn in one direction? Precondition: both are valid states.
 Feasibility check_orientation(const Problem& problem);
 
-/// Are start and goal of every ASV in one component of the free space? Takes up to a second among
-/// very many obstacles. Precondition: both are valid states.
+/// Are start and goal of every ASV, or of the point, in one component of the free space? Nothing is
+/// found for an arm. Takes up to a second among very many obstacles. Precondition: both are valid
+/// states.
 Feasibility check_separation(const Problem& problem);
 
 /// Looks for a proof that the problem has no solution, the cheapest first. Every cause is proven as

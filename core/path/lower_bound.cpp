@@ -1,7 +1,9 @@
 #include "asv/core/path/lower_bound.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace asv::core {
 
@@ -13,9 +15,29 @@ constexpr std::size_t total_effort = 1'000'000;
 /// Covers the rounding of lengths of up to a million bends.
 constexpr double rounding = 1e-9;
 
+/// The straight way between the joint angles of start and goal, less what the tolerance of both
+/// ends allows: a link of length l whose ends are off by e turns by at most asin(2 e / l).
+double straight_joint_way(const PlanarArm& arm, double tolerance) {
+    double squared = 0, squared_slack = 0, slack_before = 0;
+    for (std::size_t i = 0; i < arm.links.size(); ++i) {
+        const double way = arm.goal[i] - arm.start[i];
+        const double angle = arm.joints[i].wraps ? std::remainder(way, 2 * std::numbers::pi) : way;
+        const double off = std::asin(std::min(1.0, 2 * tolerance / arm.links[i]));
+        const double slack = arm.angles == AngleReference::x_axis ? off : off + slack_before;
+        slack_before = off;
+        squared += angle * angle;
+        squared_slack += slack * slack;
+    }
+    return std::max(0.0, std::sqrt(squared) * (1 - rounding) - 2 * std::sqrt(squared_slack));
+}
+
 }  // namespace
 
 CostLowerBound cost_lower_bound(const Problem& problem, Reading reading) {
+    if (const PlanarArm* arm = problem.arm()) {
+        const double distance = straight_joint_way(*arm, problem.requirements.tolerance);
+        return {distance, {distance}};
+    }
     geometry::FreeSpace space = make_asv_space(problem, reading);
     const std::size_t effort = total_effort / std::max<std::size_t>(1, problem.asv_count());
     CostLowerBound bound;

@@ -10,12 +10,14 @@ namespace asv::core {
 /// What every solution costs at least.
 struct CostLowerBound {
     double total = 0;             ///< of the sum over all ASVs
-    std::vector<double> lengths;  ///< of the way of each ASV; their sum is the total
+    std::vector<double> lengths;  ///< of the way of each ASV, or of an arm; their sum is the total
 };
 
 /// A lower bound of the cost of every path from the start to the goal: the sum of the shortest
 /// paths that each ASV would have on its own in the free space of make_asv_space, less what the
 /// tolerance allows at both ends. Infinity where an ASV's start and goal are not connected in it.
+///
+/// For an arm it is the straight way in the space of its joint angles, whatever the obstacles.
 ///
 /// Proven, in each reading, for the true cost of every path that the reading admits; the cost that
 /// a file states may differ from that by the tolerance. In a crowd of very many boxes (where the

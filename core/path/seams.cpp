@@ -11,7 +11,7 @@ namespace asv::core {
 namespace {
 
 /// An obstacle, or the outside of the bounds beyond one of their sides.
-struct Body {
+struct Wall {
     Box whole;
     Box shrunk;
 };
@@ -45,26 +45,26 @@ double rounding_slack(const Requirements& requirements) {
     return 1e-4 * requirements.tolerance + 1e-15 * largest;
 }
 
-std::vector<Body> outside(const Box& bounds, const Box& widened) {
+std::vector<Wall> outside(const Box& bounds, const Box& widened) {
     const double far = bounds.high.x - bounds.low.x + bounds.high.y - bounds.low.y;
-    std::vector<Body> bodies(4, {grown(bounds, far), grown(widened, far)});
-    bodies[0].whole.high.x = bounds.low.x;
-    bodies[0].shrunk.high.x = widened.low.x;
-    bodies[1].whole.low.x = bounds.high.x;
-    bodies[1].shrunk.low.x = widened.high.x;
-    bodies[2].whole.high.y = bounds.low.y;
-    bodies[2].shrunk.high.y = widened.low.y;
-    bodies[3].whole.low.y = bounds.high.y;
-    bodies[3].shrunk.low.y = widened.high.y;
-    return bodies;
+    std::vector<Wall> walls(4, {grown(bounds, far), grown(widened, far)});
+    walls[0].whole.high.x = bounds.low.x;
+    walls[0].shrunk.high.x = widened.low.x;
+    walls[1].whole.low.x = bounds.high.x;
+    walls[1].shrunk.low.x = widened.high.x;
+    walls[2].whole.high.y = bounds.low.y;
+    walls[2].shrunk.high.y = widened.low.y;
+    walls[3].whole.low.y = bounds.high.y;
+    walls[3].shrunk.low.y = widened.high.y;
+    return walls;
 }
 
 Box transposed(const Box& box) {
     return {{box.low.y, box.low.x}, {box.high.y, box.high.x}};
 }
 
-/// The seam between two bodies of which the first is to the left, where they are near enough.
-std::optional<Seam> vertical_seam(const Body& left, const Body& right, double tolerance) {
+/// The seam between two walls of which the first is to the left, where they are near enough.
+std::optional<Seam> vertical_seam(const Wall& left, const Wall& right, double tolerance) {
     const double gap = right.whole.low.x - left.whole.high.x;
     if (gap > tolerance) return std::nullopt;
     if (apart(left.whole.low.y, left.whole.high.y, right.whole.low.y, right.whole.high.y) >
@@ -81,17 +81,17 @@ std::optional<Seam> vertical_seam(const Body& left, const Body& right, double to
     return seam;
 }
 
-/// Adds the seams between bodies that lie side by side, not one above the other.
-void add_vertical_seams(const std::vector<Body>& bodies, const Requirements& requirements,
+/// Adds the seams between walls that lie side by side, not one above the other.
+void add_vertical_seams(const std::vector<Wall>& walls, const Requirements& requirements,
                         double reach, std::vector<Seam>& seams) {
-    std::vector<const Body*> by_left;
-    for (const Body& body : bodies) by_left.push_back(&body);
+    std::vector<const Wall*> by_left;
+    for (const Wall& wall : walls) by_left.push_back(&wall);
     std::sort(by_left.begin(), by_left.end(),
-              [](const Body* a, const Body* b) { return a->shrunk.low.x < b->shrunk.low.x; });
-    for (const Body& left : bodies) {
+              [](const Wall* a, const Wall* b) { return a->shrunk.low.x < b->shrunk.low.x; });
+    for (const Wall& left : walls) {
         const double side = left.shrunk.high.x;
-        auto next = std::partition_point(by_left.begin(), by_left.end(), [&](const Body* body) {
-            return body->shrunk.low.x < side;
+        auto next = std::partition_point(by_left.begin(), by_left.end(), [&](const Wall* wall) {
+            return wall->shrunk.low.x < side;
         });
         for (; next != by_left.end() && (*next)->shrunk.low.x <= side + reach; ++next) {
             const auto seam = vertical_seam(left, **next, requirements.tolerance);
@@ -117,19 +117,19 @@ std::vector<Seam> find_seams(const Problem& problem, double shrink) {
     const Requirements& requirements = problem.requirements;
     const double margin = shrink + rounding_slack(requirements);
     const Box& bounds = requirements.bounds;
-    std::vector<Body> bodies = outside(bounds, shrink_obstacles(problem, shrink).bounds);
+    std::vector<Wall> walls = outside(bounds, shrink_obstacles(problem, shrink).bounds);
     for (const Box& box : problem.obstacles) {
         const Box smaller = grown(box, -margin);
-        if (!vanishes(smaller) && overlap(smaller, bounds)) bodies.push_back({box, smaller});
+        if (!vanishes(smaller) && overlap(smaller, bounds)) walls.push_back({box, smaller});
     }
     // Two sides that are the tolerance apart are each shrunk by the margin; twice the tolerance
     // more than that leaves room for rounding, and vertical_seam decides.
     const double reach = 2 * margin + 3 * requirements.tolerance;
     std::vector<Seam> seams;
-    add_vertical_seams(bodies, requirements, reach, seams);
+    add_vertical_seams(walls, requirements, reach, seams);
     const auto horizontal = static_cast<std::ptrdiff_t>(seams.size());
-    for (Body& body : bodies) body = {transposed(body.whole), transposed(body.shrunk)};
-    add_vertical_seams(bodies, requirements, reach, seams);
+    for (Wall& wall : walls) wall = {transposed(wall.whole), transposed(wall.shrunk)};
+    add_vertical_seams(walls, requirements, reach, seams);
     std::for_each(seams.begin() + horizontal, seams.end(),
                   [](Seam& seam) { seam.gap = transposed(seam.gap); });
     return seams;

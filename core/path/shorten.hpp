@@ -2,6 +2,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "asv/core/path/motion_cost.hpp"
 #include "asv/core/planning/result.hpp"
@@ -20,7 +23,13 @@ using Bridge =
 /// in the cost that counts: the distances of the ASVs). The path keeps its ends and its validity.
 class Shortcutter {
   public:
-    Shortcutter(const Chain& chain, Rows path);
+    /// What a straight motion costs: not negative, and as much for its parts together.
+    using Cost = std::function<double(std::span<const double> from, std::span<const double> to)>;
+
+    Shortcutter(std::size_t dimension, Cost cost, Rows path);
+    /// In the cost of a chain of ASVs.
+    Shortcutter(const Chain& chain, Rows path)
+        : Shortcutter(chain.dimension(), MotionCost(chain), std::move(path)) {}
 
     const Rows& path() const { return path_; }
     double cost() const { return cumulative_.back(); }
@@ -38,7 +47,7 @@ class Shortcutter {
     void measure();
 
     std::size_t dimension_;
-    MotionCost motion_cost_;
+    Cost motion_cost_;
     Rows path_;
     std::vector<double> cumulative_;
     std::vector<double> from_, to_;

@@ -46,37 +46,36 @@ double clearance(const Pose& pose, const Box& box) {
     return least;
 }
 
-}  // namespace
+/// The limit with its margin, or what the tighter of the two ends leaves of it.
+template <class Measure>
+double kept(const std::vector<Pose>& ends, const Margins& margins, double limit, double margin,
+            Measure&& measure) {
+    const double room = std::min(measure(ends[0]), measure(ends[1])) - limit;
+    return limit + std::min(margin, room - margins.slack);
+}
 
-ChainConstraints make_constraints(const Problem& problem, const Chain& chain,
-                                  const Margins& margins) {
-    const Requirements& required = problem.requirements;
+std::vector<Pose> poses_of_ends(const Problem& problem, const Chain& chain) {
     std::vector<double> row(chain.dimension());
     std::vector<Pose> ends(2, chain.make_pose());
-    ChainConstraints result;
-    result.minimum_turn.assign(chain.turn_count(), 0.0);
-    result.maximum_turn = std::numbers::pi - 1e-6;
     for (std::size_t end = 0; end < 2; ++end) {
         chain.configuration(end == 0 ? problem.start : problem.goal, row);
         chain.forward(row, ends[end]);
-        for (std::size_t i = 0; i < chain.turn_count(); ++i)
-            result.minimum_turn[i] = std::min(result.minimum_turn[i], row[3 + i]);
     }
-    // The limit with its margin, or what the tighter of the two ends leaves of it.
-    const auto kept = [&](double limit, double margin, auto&& measure) {
-        const double room = std::min(measure(ends[0]), measure(ends[1])) - limit;
-        return limit + std::min(margin, room - margins.slack);
-    };
+    return ends;
+}
 
+void keep_clear(const Problem& problem, const std::vector<Pose>& ends, const Margins& margins,
+                ChainConstraints& result) {
+    const Requirements& required = problem.requirements;
     const double e = required.tolerance;
     for (const Box& box : problem.obstacles) {
         const Box shrunk = geometry::grown(box, -e);
         if (geometry::is_empty(shrunk)) continue;
         const auto to_box = [&](const Pose& pose) { return clearance(pose, box); };
-        double margin = kept(0, margins.length, to_box);
+        double margin = kept(ends, margins, 0, margins.length, to_box);
         // An end that is inside the box by rounding is still outside the shrunk one.
         if (margin < 0)
-            margin = kept(-e, e + margins.length,
+            margin = kept(ends, margins, -e, e + margins.length,
                           [&](const Pose& pose) { return clearance(pose, shrunk) - e; });
         result.boxes.push_back(geometry::grown(box, margin));
     }
@@ -86,20 +85,54 @@ ChainConstraints make_constraints(const Problem& problem, const Chain& chain,
         for (double value : values) least = std::min(least, sign * value);
         return least;
     };
+    const auto side = [&](double limit, auto&& measure) {
+        return kept(ends, margins, limit, margins.length, measure);
+    };
     const Box& b = required.bounds;
-    result.bounds.low.x = kept(b.low.x, margins.length, [&](auto& p) { return extreme(p.x, 1); });
-    result.bounds.low.y = kept(b.low.y, margins.length, [&](auto& p) { return extreme(p.y, 1); });
-    result.bounds.high.x =
-        -kept(-b.high.x, margins.length, [&](auto& p) { return extreme(p.x, -1); });
-    result.bounds.high.y =
-        -kept(-b.high.y, margins.length, [&](auto& p) { return extreme(p.y, -1); });
+    result.bounds.low.x = side(b.low.x, [&](auto& p) { return extreme(p.x, 1); });
+    result.bounds.low.y = side(b.low.y, [&](auto& p) { return extreme(p.y, 1); });
+    result.bounds.high.x = -side(-b.high.x, [&](auto& p) { return extreme(p.x, -1); });
+    result.bounds.high.y = -side(-b.high.y, [&](auto& p) { return extreme(p.y, -1); });
+}
+
+}  // namespace
+
+ChainConstraints make_constraints(const Problem& problem, const Chain& chain,
+                                  const Margins& margins) {
+    const std::vector<Pose> ends = poses_of_ends(problem, chain);
+    ChainConstraints result;
+    result.minimum_turn.assign(chain.turn_count(), 0.0);
+    result.maximum_turn = std::numbers::pi - 1e-6;
+    std::vector<double> row(chain.dimension());
+    for (const auto* end : {&problem.start, &problem.goal}) {
+        chain.configuration(*end, row);
+        for (std::size_t i = 0; i < chain.turn_count(); ++i)
+            result.minimum_turn[i] = std::min(result.minimum_turn[i], row[3 + i]);
+    }
+    keep_clear(problem, ends, margins, result);
     if (chain.asv_count() < 3) return result;
 
-    const double least_area = required.minimum_area(chain.asv_count());
-    result.minimum_area = kept(least_area, margins.relative_area * least_area, area);
-    result.minimum_last_turn = kept(0, 0, last_turn);
-    result.minimum_first_turn = kept(0, 0, first_turn);
-    result.minimum_closing = kept(0, margins.closing, closing_length);
+    const double least_area = problem.requirements.minimum_area(chain.asv_count());
+    const auto at_least = [&](double limit, double margin, auto&& measure) {
+        return kept(ends, margins, limit, margin, measure);
+    };
+    result.minimum_area = at_least(least_area, margins.relative_area * least_area, area);
+    result.minimum_last_turn = at_least(0, 0, last_turn);
+    result.minimum_first_turn = at_least(0, 0, first_turn);
+    result.minimum_closing = at_least(0, margins.closing, closing_length);
+    return result;
+}
+
+ChainConstraints make_link_constraints(const Problem& problem, const Chain& chain,
+                                       const Margins& margins) {
+    ChainConstraints result;
+    result.shaped = false;
+    const Box& b = problem.requirements.bounds;
+    for (const double coordinate : {b.low.x, b.low.y, b.high.x, b.high.y})
+        result.extent = std::max(result.extent, std::abs(coordinate));
+    Margins scaled = margins;
+    scaled.slack *= result.extent;
+    keep_clear(problem, poses_of_ends(problem, chain), scaled, result);
     return result;
 }
 

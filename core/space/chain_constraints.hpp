@@ -13,6 +13,10 @@ namespace asv::core {
 /// valid set and can be left. For counter-clockwise chains; clockwise problems are transposed
 /// first.
 struct ChainConstraints {
+    /// Is anything asked of the turns, the area and the closing side? Of ASVs alone; without it the
+    /// numbers for these mean nothing.
+    bool shaped = true;
+    double extent = 1;              ///< the size of coordinates, which rounding is in proportion to
     std::vector<Box> boxes;         ///< obstacles grown by their own margin
     Box bounds;                     ///< where every ASV has to be
     double minimum_area = 0;        ///< of the closed polygon
@@ -34,6 +38,11 @@ struct Margins {
 /// Precondition: start and goal of the problem are valid and counter-clockwise.
 ChainConstraints make_constraints(const Problem& problem, const Chain& chain,
                                   const Margins& margins = {});
+
+/// The same for the chain of an arm or a point, of which only obstacles and bounds ask something.
+/// Precondition: start and goal of the problem are valid, its bounds finite.
+ChainConstraints make_link_constraints(const Problem& problem, const Chain& chain,
+                                       const Margins& margins = {});
 
 /// The shoelace area of the closed polygon, positive when counter-clockwise.
 double area(const Pose& pose);

@@ -8,19 +8,20 @@ namespace asv::core {
 
 namespace {
 
-/// Coordinates are around 1, so a gap of a few of them is right to some 1e-15: what is less is no
-/// room at an obstacle, and no violation of the shape.
-constexpr double rounding = 1e-14;
+/// A gap of a few coordinates around 1 is right to some 1e-15: what is less is no room at an
+/// obstacle, and no violation of the shape. In units of the coordinates' size, their extent.
+constexpr double relative_rounding = 1e-14;
 
 /// Among many boxes, how far a moment may prove at most, in mean distances of the boxes.
 constexpr double most_spacings = 2;
 
-/// A gap of the line that is shorter than this motion and still open counts as blocked.
-constexpr double finest_motion = 1e-7;
+/// A gap of the line that is shorter than this motion and still open counts as blocked; likewise.
+constexpr double relative_finest_motion = 1e-7;
 
-/// Shortens reach to where g + slope s - curvature s^2 / 2 may become negative; false if g < 0.
+/// Shortens reach to where g + slope s - curvature s^2 / 2 may become negative; false if g is, or is
+/// no number.
 bool limit(double g, double slope, double curvature, double& back, double& ahead) {
-    if (g < 0) return false;
+    if (!(g >= 0)) return false;
     const double farther = std::max(back, ahead);
     if (g >= (std::abs(slope) + 0.5 * curvature * farther) * farther) return true;
     const double root = std::sqrt(slope * slope + 2 * curvature * g);
@@ -38,7 +39,12 @@ bool limit(double g, double slope, double curvature, double& back, double& ahead
 
 MotionChecker::MotionChecker(const Chain& chain, const ChainConstraints& constraints,
                              const ObstacleField& field)
-    : chain_(chain), constraints_(constraints), field_(field), pose_(chain.make_pose()) {
+    : chain_(chain),
+      constraints_(constraints),
+      field_(field),
+      rounding_(relative_rounding * constraints.extent),
+      finest_motion_(relative_finest_motion * constraints.extent),
+      pose_(chain.make_pose()) {
     step_.resize(chain.dimension());
     row_.resize(chain.dimension());
     heading_rate_.resize(chain.broom_count());
@@ -78,7 +84,7 @@ double MotionChecker::prove(std::span<const double> from, std::span<const double
         gaps_.pop_back();
         const double length = gap.end - gap.begin;
         if (length <= 0) continue;
-        if (length * speed_bound_ <= (blocked && gaps_.empty() ? resolution : finest_motion))
+        if (length * speed_bound_ <= (blocked && gaps_.empty() ? resolution : finest_motion_))
             return gap.begin;
         const double middle = 0.5 * (gap.begin + gap.end);
         const Reach proven = reach(middle, middle - gap.begin, gap.end - middle);
@@ -152,10 +158,10 @@ MotionChecker::Reach MotionChecker::reach(double t, double back, double ahead) {
         ahead = std::min(ahead, near);
     }
     Reach result{back, ahead};
-    for (std::size_t i = 0; i < chain_.turn_count(); ++i) {
+    for (std::size_t i = 0; constraints_.shaped && i < chain_.turn_count(); ++i) {
         const double turn = row_[3 + i], rate = step_[3 + i];
         // Straight joints are common, and interpolating between them rounds.
-        if (!limit(turn - constraints_.minimum_turn[i] + rounding, rate, 0, result.back,
+        if (!limit(turn - constraints_.minimum_turn[i] + rounding_, rate, 0, result.back,
                    result.ahead) ||
             !limit(constraints_.maximum_turn - turn, -rate, 0, result.back, result.ahead))
             return invalid;
@@ -178,14 +184,15 @@ void MotionChecker::move_along(double t) {
     velocity_x_[0] = vx;
     velocity_y_[0] = vy;
     for (std::size_t k = 0; k < chain_.broom_count(); ++k) {
-        velocity_x_[k + 1] = vx -= length * heading_rate_[k] * pose_.uy[k];
-        velocity_y_[k + 1] = vy += length * heading_rate_[k] * pose_.ux[k];
+        const double own = chain_.link_length(k);
+        velocity_x_[k + 1] = vx -= own * heading_rate_[k] * pose_.uy[k];
+        velocity_y_[k + 1] = vy += own * heading_rate_[k] * pose_.ux[k];
     }
 }
 
 bool MotionChecker::shape_reach(Reach& reach) const {
     const std::size_t n = chain_.asv_count();
-    if (n < 3) return true;
+    if (!constraints_.shaped || n < 3) return true;
     const double rx = pose_.x[0] - pose_.x[n - 1], ry = pose_.y[0] - pose_.y[n - 1];
     const double rvx = velocity_x_[0] - velocity_x_[n - 1];
     const double rvy = velocity_y_[0] - velocity_y_[n - 1];
@@ -195,11 +202,12 @@ bool MotionChecker::shape_reach(Reach& reach) const {
     const double first_rate = heading_rate_.front(), last_rate = heading_rate_.back();
 
     const double first =
-        cross(rx, ry, first_ux, first_uy) - constraints_.minimum_first_turn + rounding;
+        cross(rx, ry, first_ux, first_uy) - constraints_.minimum_first_turn + rounding_;
     const double first_slope =
         cross(rvx, rvy, first_ux, first_uy) + first_rate * cross(rx, ry, -first_uy, first_ux);
     if (!limit(first, first_slope, turn_curvature_first_, reach.back, reach.ahead)) return false;
-    const double last = cross(last_ux, last_uy, rx, ry) - constraints_.minimum_last_turn + rounding;
+    const double last =
+        cross(last_ux, last_uy, rx, ry) - constraints_.minimum_last_turn + rounding_;
     const double last_slope =
         cross(last_ux, last_uy, rvx, rvy) + last_rate * cross(-last_uy, last_ux, rx, ry);
     if (!limit(last, last_slope, turn_curvature_last_, reach.back, reach.ahead)) return false;
@@ -207,8 +215,8 @@ bool MotionChecker::shape_reach(Reach& reach) const {
     const double closing = std::hypot(rx, ry);
     const double closing_slope = closing > 0 ? (rx * rvx + ry * rvy) / closing : 0;
     // A distance bends upwards where it bends by moving sideways, so only r'' can lower it.
-    if (!limit(closing - constraints_.minimum_closing + rounding, closing_slope, closing_curvature_,
-               reach.back, reach.ahead))
+    if (!limit(closing - constraints_.minimum_closing + rounding_, closing_slope,
+               closing_curvature_, reach.back, reach.ahead))
         return false;
 
     double twice = 0, twice_slope = 0;
@@ -221,7 +229,7 @@ bool MotionChecker::shape_reach(Reach& reach) const {
                   by) +
             cross(ax, ay, velocity_x_[i] - velocity_x_[0], velocity_y_[i] - velocity_y_[0]);
     }
-    return limit(0.5 * twice - constraints_.minimum_area + rounding, 0.5 * twice_slope,
+    return limit(0.5 * twice - constraints_.minimum_area + rounding_, 0.5 * twice_slope,
                  area_curvature_, reach.back, reach.ahead);
 }
 
@@ -253,7 +261,7 @@ double MotionChecker::farthest_motion(std::size_t k, const Reach& reach) const {
         velocity_x_[other] * velocity_x_[other] + velocity_y_[other] * velocity_y_[other]));
     const double acceleration = std::max(acceleration_[k], acceleration_[other]);
     const double farther = std::max(reach.back, reach.ahead);
-    return (speed + 0.5 * acceleration * farther) * farther + rounding;
+    return (speed + 0.5 * acceleration * farther) * farther + rounding_;
 }
 
 bool MotionChecker::search_boxes(std::size_t k, Reach& reach) const {
@@ -298,8 +306,8 @@ bool MotionChecker::broom_reach(std::size_t k, const geometry::Box& box, Reach& 
     // Along a fixed axis (ax, ay) both ends of the broom and the support of the box have to stay
     // apart; the best axis for each direction of time counts.
     const auto try_axis = [&](double ax, double ay, double support) {
-        const double gap_0 = ax * pose_.x[k] + ay * pose_.y[k] - support - rounding;
-        const double gap_1 = ax * pose_.x[other] + ay * pose_.y[other] - support - rounding;
+        const double gap_0 = ax * pose_.x[k] + ay * pose_.y[k] - support - rounding_;
+        const double gap_1 = ax * pose_.x[other] + ay * pose_.y[other] - support - rounding_;
         if (gap_0 <= 0 || gap_1 <= 0) return;
         double axis_back = reach.back, axis_ahead = reach.ahead;
         limit(gap_0, ax * velocity_x_[k] + ay * velocity_y_[k], acceleration, axis_back,

@@ -41,6 +41,9 @@ class MotionChecker {
     double valid_prefix(std::span<const double> from, std::span<const double> to,
                         double resolution);
 
+    /// How far any point of the chain moved at most along the line that was looked at last.
+    double speed_bound() const { return speed_bound_; }
+
     std::uint64_t state_checks() const { return state_checks_; }
     std::uint64_t motion_checks() const { return motion_checks_; }
 
@@ -69,6 +72,7 @@ class MotionChecker {
     const Chain& chain_;
     const ChainConstraints& constraints_;
     const ObstacleField& field_;
+    double rounding_, finest_motion_;
 
     std::span<const double> from_, to_;
     std::vector<double> step_, row_, heading_rate_;

@@ -1,6 +1,7 @@
 #include "asv/core/validation/collisions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "asv/geometry/distance.hpp"
@@ -38,6 +39,12 @@ Finding Obstacles::check(State state, double reach) const {
             keep_worse(worst, finding);
         });
     }
+    return worst;
+}
+
+Finding Obstacles::check_point(const Segment& motion, double reach) const {
+    Finding worst = check(std::array{motion.a, motion.b}, reach);
+    worst.offender.broom.reset();
     return worst;
 }
 

@@ -20,6 +20,10 @@ class Obstacles {
     /// (a finding without any pair has infinite room). Precondition: finite coordinates.
     Finding check(State state, double reach) const;
 
+    /// The same for a point that moves straight: no obstacle meets the segment, which may be a
+    /// point as well.
+    Finding check_point(const geometry::Segment& motion, double reach) const;
+
     const BoxTree& tree() const { return tree_; }
 
   private:

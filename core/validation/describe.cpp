@@ -17,6 +17,30 @@ std::string numbered(const char* what, const std::optional<std::size_t>& index) 
     return std::string(what) + " " + (index ? std::to_string(*index + 1) : "?");
 }
 
+std::string point_name(const Offender& offender) {
+    switch (offender.body) {
+        case BodyKind::chain:
+            return numbered("ASV", offender.asv);
+        case BodyKind::arm:
+            return numbered("point", offender.asv);
+        case BodyKind::point:
+            break;
+    }
+    return "the point";
+}
+
+std::string link_name(const Offender& offender) {
+    switch (offender.body) {
+        case BodyKind::chain:
+            return numbered("broom", offender.broom);
+        case BodyKind::arm:
+            return numbered("link", offender.broom);
+        case BodyKind::point:
+            break;
+    }
+    return "the point";
+}
+
 std::string describe_turn(const Offender& offender, const std::string& by) {
     if (!offender.asv) return "the turns add up to more than 3 pi" + by + " rad";
     const std::string asv = "the turn at " + numbered("ASV", offender.asv);
@@ -27,27 +51,31 @@ std::string describe_turn(const Offender& offender, const std::string& by) {
     return asv + " is against the others" + by + " rad";
 }
 
-std::string describe_place(const Offender& offender) {
+std::string describe_place(Check check, const Offender& offender) {
     std::string place;
-    const auto append = [&](const char* what, const std::optional<std::size_t>& index) {
-        if (index) place += (place.empty() ? " at " : ", ") + numbered(what, index);
+    const auto append = [&](const std::string& what) {
+        place += (place.empty() ? " at " : ", ") + what;
     };
-    append("ASV", offender.asv);
-    append("broom", offender.broom);
-    append("obstacle", offender.obstacle);
+    const bool joint = check == Check::joint_limits;
+    const bool parts = offender.body != BodyKind::point;
+    if (offender.asv && parts)
+        append(joint ? numbered("joint", offender.asv) : point_name(offender));
+    if (offender.broom && parts) append(link_name(offender));
+    if (offender.obstacle) append(numbered("obstacle", offender.obstacle));
     return place;
 }
 
 }  // namespace
 
 std::string_view name(Check check) {
-    static constexpr std::array<std::string_view, check_count> names = {
-        "ends", "steps", "cost", "broom lengths", "convexity", "area", "bounds", "collisions"};
+    static constexpr std::array<std::string_view, 11> names = {
+        "ends",   "steps",      "cost",         "broom lengths", "convexity",   "area",
+        "bounds", "collisions", "link lengths", "base",          "joint limits"};
     return names[static_cast<std::size_t>(check)];
 }
 
 std::string describe(Check check, const Offender& offender) {
-    const std::string asv = numbered("ASV", offender.asv);
+    const std::string asv = point_name(offender);
     if (offender.asv && !std::isfinite(offender.room)) return asv + " has no finite position";
     const std::string by = " by " + short_number(std::abs(offender.room));
     switch (check) {
@@ -58,7 +86,8 @@ std::string describe(Check check, const Offender& offender) {
         case Check::cost:
             return "the written cost is wrong" + by;
         case Check::broom_lengths:
-            return numbered("broom", offender.broom) + " is too long or too short" + by;
+        case Check::link_lengths:
+            return link_name(offender) + " is too long or too short" + by;
         case Check::convexity:
             return describe_turn(offender, by);
         case Check::area:
@@ -66,8 +95,11 @@ std::string describe(Check check, const Offender& offender) {
         case Check::bounds:
             return asv + " is out of bounds" + by;
         case Check::collisions:
-            return numbered("broom", offender.broom) + " meets " +
-                   numbered("obstacle", offender.obstacle) + by;
+            return link_name(offender) + " meets " + numbered("obstacle", offender.obstacle) + by;
+        case Check::base:
+            return "the base has moved" + by;
+        case Check::joint_limits:
+            return numbered("joint", offender.asv) + " is past its limit" + by + " rad";
     }
     return {};
 }
@@ -75,7 +107,7 @@ std::string describe(Check check, const Offender& offender) {
 std::string describe(const CheckResult& result) {
     if (!result.worst) return "nothing to check";
     if (!result.ok()) return describe(result.check, *result.worst);
-    return "room " + short_number(result.worst->room) + describe_place(*result.worst);
+    return "room " + short_number(result.worst->room) + describe_place(result.check, *result.worst);
 }
 
 }  // namespace asv::core

@@ -30,12 +30,14 @@ inline void keep_worse(Finding& worst, Finding candidate) {
 /// Adds up the findings of one check.
 class Tally {
   public:
-    Tally(Check check, bool list_offenders) : list_offenders_(list_offenders) {
+    Tally(Check check, bool list_offenders, BodyKind body = BodyKind::chain)
+        : list_offenders_(list_offenders), body_(body) {
         result_.check = check;
     }
 
     void add(Finding finding, std::size_t state) {
         finding.offender.state = state;
+        finding.offender.body = body_;
         ++result_.states;
         if (!finding.ok) {
             ++result_.failures;
@@ -53,6 +55,7 @@ class Tally {
 
   private:
     bool list_offenders_;
+    BodyKind body_;
     CheckResult result_;
     Finding worst_;
 };

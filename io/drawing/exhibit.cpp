@@ -63,6 +63,12 @@ std::string counted(std::size_t count, const std::string& what) {
     return grouped(count) + " " + what + (count == 1 ? "" : "s");
 }
 
+std::string body_of(const core::Problem& problem) {
+    if (problem.arm()) return "arm of " + counted(problem.arm()->links.size(), "link");
+    if (problem.body_kind() == core::BodyKind::point) return "point";
+    return counted(problem.asv_count(), "ASV");
+}
+
 }  // namespace
 
 Exhibit make_exhibit(ExhibitInput input) {
@@ -79,6 +85,18 @@ Exhibit make_exhibit(ExhibitInput input) {
     return exhibit;
 }
 
+BodyWords words_for(core::BodyKind body) {
+    switch (body) {
+        case core::BodyKind::chain:
+            return {"ASV 1 has an eye", "chain", "path of an ASV", "broom", "ASV 1"};
+        case core::BodyKind::arm:
+            return {"the base has an eye", "arm", "path of a joint or the tip", "link", "tip"};
+        case core::BodyKind::point:
+            break;
+    }
+    return {"", "point", "path of the point", "", "point"};
+}
+
 std::string grouped(std::size_t number) {
     std::string digits = std::to_string(number);
     for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, 1, ',');
@@ -93,8 +111,8 @@ std::string fixed(double number, int digits) {
 
 std::string facts(const Exhibit& exhibit) {
     const std::string dot = " · ";
-    std::string text = counted(exhibit.problem.asv_count(), "ASV") + dot +
-                       counted(exhibit.problem.obstacles.size(), "obstacle");
+    std::string text =
+        body_of(exhibit.problem) + dot + counted(exhibit.problem.obstacles.size(), "obstacle");
     if (exhibit.solution) text += dot + "cost " + fixed(exhibit.solution->cost, 4);
     if (exhibit.lower_bound) {
         text += dot + "lower bound " + fixed(*exhibit.lower_bound, 4);

@@ -48,6 +48,16 @@ std::string verdict(const Exhibit& exhibit);
 /// One sentence for each failed check, with the step where it has one.
 std::vector<std::string> complaints(const Exhibit& exhibit);
 
+/// What a legend calls the parts of a body.
+struct BodyWords {
+    std::string first;  ///< the point that has an eye
+    std::string chain;  ///< the whole body
+    std::string path;   ///< the way of one of its points
+    std::string link;   ///< what can collide, empty for a point
+    std::string seen;   ///< the point whose places a tree shows
+};
+BodyWords words_for(core::BodyKind body);
+
 /// 12345678 as "12,345,678".
 std::string grouped(std::size_t number);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "asv/core/path/cost.hpp"
 #include "asv/geometry/distance.hpp"
 #include "asv/geometry/polygon.hpp"
 
@@ -134,16 +135,16 @@ void measure_shape(std::span<const Point> state, StateMeasures& measures) {
     measures.tightest_turn = tightest;
 }
 
-double moved(std::span<const Point> from, std::span<const Point> to) {
-    double sum = 0;
-    for (std::size_t i = 0; i < from.size(); ++i) sum += length(from[i], to[i]);
-    return sum;
-}
-
 }  // namespace
 
 Segment broom_of(std::span<const Point> state, std::size_t broom) {
     return {state[broom], state[std::min(broom + 1, state.size() - 1)]};
+}
+
+double link_length(const core::Problem& problem) {
+    if (const core::PlanarArm* arm = problem.arm()) return arm->links[0];
+    if (problem.body_kind() == core::BodyKind::point) return 50 * problem.requirements.max_step;
+    return problem.requirements.broom_length;
 }
 
 std::size_t broom_count(std::size_t asv_count) {
@@ -168,13 +169,15 @@ Segment shortest_link(const Segment& segment, const Box& box) {
 
 std::vector<StateMeasures> measure(const core::Problem& problem, const core::Path& path) {
     std::vector<StateMeasures> result(path.size());
-    const double least_reach = problem.requirements.broom_length / 2;
+    const double least_reach = link_length(problem) / 2;
     std::vector<NearestObstacle> nearest(broom_count(path.asv_count()),
                                          NearestObstacle(problem.obstacles, least_reach));
     for (std::size_t i = 0; i < path.size(); ++i) {
         const auto state = path.state(i);
-        measure_shape(state, result[i]);
-        if (i > 0) result[i].cost = result[i - 1].cost + moved(path.state(i - 1), state);
+        if (problem.body_kind() == core::BodyKind::chain) measure_shape(state, result[i]);
+        if (i > 0)
+            result[i].cost =
+                result[i - 1].cost + core::step_cost(problem, path.state(i - 1), state);
         if (problem.obstacles.empty()) continue;
         Clearance clearance;
         for (std::size_t broom = 0; broom < nearest.size(); ++broom) {

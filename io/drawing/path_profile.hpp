@@ -21,9 +21,9 @@ struct Clearance {
 
 /// The figures of one state; lengths in workspace units, angles in radians.
 struct StateMeasures {
-    double cost = 0;                     ///< moved by all ASVs since the first state
+    double cost = 0;                     ///< since the first state, see core::step_cost()
     std::optional<Clearance> clearance;  ///< none without obstacles
-    double area = 0;                     ///< of the closed polygon, positive
+    double area = 0;                     ///< of the closed polygon of a chain of ASVs, positive
     /// The largest turn without its sign, over all vertices of the closed polygon, the two of the
     /// closing side included; none for fewer than three ASVs.
     std::optional<double> tightest_turn;
@@ -41,6 +41,10 @@ geometry::Segment shortest_link(const geometry::Segment& segment, const geometry
 
 /// Broom i of a state; for a single ASV the point itself.
 geometry::Segment broom_of(std::span<const geometry::Point> state, std::size_t broom);
+
+/// The length of a broom, of the first link of an arm, or of what a broom would be for a point: the
+/// scale of what is small and what is large for the body.
+double link_length(const core::Problem& problem);
 
 /// How many segments a state has for clearance: the brooms, or 1 for a single ASV.
 std::size_t broom_count(std::size_t asv_count);

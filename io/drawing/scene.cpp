@@ -11,6 +11,9 @@
 
 BOOST_GEOMETRY_REGISTER_POINT_2D(asv::geometry::Point, double, boost::geometry::cs::cartesian, x, y)
 
+#include "asv/core/path/cost.hpp"
+#include "asv/core/space/window.hpp"
+
 namespace asv::io {
 
 namespace {
@@ -50,8 +53,9 @@ std::vector<Point> simplified(const std::vector<Point>& points, double distance)
 class Composer {
   public:
     explicit Composer(const Exhibit& exhibit) : exhibit_(exhibit) {
-        scene.field = exhibit.problem.requirements.bounds;
+        scene.field = core::planning_window(exhibit.problem);
         scene.obstacles = exhibit.problem.obstacles;
+        scene.body = exhibit.problem.body_kind();
     }
 
     void add_ways() {
@@ -134,11 +138,16 @@ class Composer {
         return total == 0 ? 0 : exhibit_.measures[state].cost / total;
     }
 
+    /// By all points together; an arm's cost is no distance.
+    double distance_moved() const {
+        if (!exhibit_.problem.arm()) return exhibit_.measures.back().cost;
+        return core::cost(exhibit_.solution->path);
+    }
+
     /// First and last state, and those between that are even in cost.
     std::vector<std::size_t> ghost_states() const {
         const auto& measures = exhibit_.measures;
-        const double each =
-            measures.back().cost / static_cast<double>(exhibit_.problem.asv_count());
+        const double each = distance_moved() / static_cast<double>(exhibit_.problem.asv_count());
         const double spacing =
             ghost_spacing +
             ghost_spacing_per_asv * static_cast<double>(exhibit_.problem.asv_count());
@@ -171,7 +180,7 @@ class Composer {
 
     void add_chain(std::span<const Point> state, std::size_t index, double progress, Role chain,
                    Role closing) {
-        if (state.size() > 2) {
+        if (state.size() > 2 && !exhibit_.problem.arm()) {
             scene.lines.push_back({closing, index, progress, {state.back(), state.front()}});
         }
         scene.lines.push_back({chain, index, progress, {state.begin(), state.end()}});

@@ -61,6 +61,7 @@ struct Scene {
     std::optional<SceneLeast> least;
     std::vector<SceneViolation> violations;
     std::size_t ghosts = 0;
+    core::BodyKind body = core::BodyKind::chain;
 };
 
 /// The picture of an exhibit. Ghosts of the chain stand evenly in cost, that is in the distance

@@ -44,16 +44,21 @@ void add_line_entry(std::vector<Entry>& entries, std::string words, Stroke strok
 std::vector<Entry> legend(const Scene& scene, const Palette& colours) {
     std::vector<Entry> entries;
     const Colour middle = along_the_way(colours, 0.5);
-    add_line_entry(entries, "start (ASV 1 has an eye)", {colours.start, 3}, 4);
+    const BodyWords words = words_for(scene.body);
+    const std::string eye = words.first.empty() ? "" : " (" + words.first + ")";
+    add_line_entry(entries, "start" + eye, {colours.start, 3}, 4);
     add_line_entry(entries, "goal", {colours.goal, 3}, 4);
     if (scene.ghosts > 0) {
-        add_line_entry(entries, "chain on its way, evenly in distance", {middle, 1.5}, 1.8);
+        add_line_entry(entries,
+                       words.chain + " on its way, evenly in " +
+                           (scene.body == core::BodyKind::arm ? "cost" : "distance"),
+                       {middle, 1.5}, 1.8);
     }
     const auto has = [&](Role role) {
         return std::any_of(scene.lines.begin(), scene.lines.end(),
                            [&](const SceneLine& line) { return line.role == role; });
     };
-    if (has(Role::path)) add_line_entry(entries, "path of an ASV", {faded(middle, 0.6), 0.9}, 0);
+    if (has(Role::path)) add_line_entry(entries, words.path, {faded(middle, 0.6), 0.9}, 0);
     if (has(Role::start_closing)) {
         add_line_entry(entries, "closing side", {faded(middle, 0.75), 1.2, {3, 4}}, 0);
     }
@@ -61,8 +66,8 @@ std::vector<Entry> legend(const Scene& scene, const Palette& colours) {
         const bool start = tree.kind == SceneTree::Kind::start;
         const bool roadmap = tree.kind == SceneTree::Kind::roadmap;
         const Colour colour = roadmap ? colours.least : start ? colours.start : colours.goal;
-        const std::string words = roadmap ? "roadmap" : start ? "start tree" : "goal tree";
-        add_line_entry(entries, words + " (ASV 1)", {faded(colour, 0.6), 0.9}, 0);
+        const std::string what = roadmap ? "roadmap" : start ? "start tree" : "goal tree";
+        add_line_entry(entries, what + " (" + words.seen + ")", {faded(colour, 0.6), 0.9}, 0);
     }
     if (scene.least) {
         entries.push_back(
@@ -148,7 +153,7 @@ void paint_clearance_plot(Canvas& canvas, const Exhibit& exhibit, const Box& pla
     const auto& measures = exhibit.measures;
     double most = 0;
     for (const StateMeasures& m : measures) most = std::max(most, m.clearance->distance);
-    if (most == 0) most = exhibit.problem.requirements.broom_length;
+    if (most == 0) most = link_length(exhibit.problem);
     const double total = std::max(measures.back().cost, 1e-300);
     const auto at = [&](const StateMeasures& m) {
         return Point{
@@ -199,7 +204,7 @@ Page enlarged(const Page& page, const SceneLeast& least, const Point& centre, do
 void paint_inset(Canvas& canvas, const Exhibit& exhibit, const Scene& scene, const Page& page,
                  const Point& centre, const Palette& colours) {
     const SceneLeast& least = *scene.least;
-    const Page inset = enlarged(page, least, centre, exhibit.problem.requirements.broom_length);
+    const Page inset = enlarged(page, least, centre, link_length(exhibit.problem));
     canvas.push_clip_circle(centre, inset_radius);
     const Box all{{centre.x - inset_radius, centre.y - inset_radius},
                   {centre.x + inset_radius, centre.y + inset_radius}};
@@ -223,6 +228,12 @@ void paint_inset(Canvas& canvas, const Exhibit& exhibit, const Scene& scene, con
     canvas.stroke_circle(centre, inset_radius, {colours.least, 2.4});
 }
 
+/// "broom 3, ", or nothing for a point.
+std::string which_link(core::BodyKind body, const Clearance& clearance) {
+    const std::string link = words_for(body).link;
+    return link.empty() ? "" : link + " " + std::to_string(clearance.broom + 1) + ", ";
+}
+
 void paint_caption(Canvas& canvas, const Exhibit& exhibit, const SceneLeast& least, const Point& at,
                    double zoom, const Palette& colours) {
     const Clearance& clearance = *exhibit.measures[least.state].clearance;
@@ -231,7 +242,7 @@ void paint_caption(Canvas& canvas, const Exhibit& exhibit, const SceneLeast& lea
         "least clearance " + (least.clearance == 0 ? "0: it collides" : fixed(least.clearance, 6)),
         {colours.ink, text_size, true, Align::left});
     canvas.text({at.x, at.y + 17},
-                "broom " + std::to_string(clearance.broom + 1) + ", obstacle " +
+                which_link(exhibit.problem.body_kind(), clearance) + "obstacle " +
                     std::to_string(clearance.obstacle + 1) + ", step " + grouped(least.state) +
                     ", enlarged " + fixed(zoom, 0) + " times",
                 {colours.muted, text_size, false, Align::left});
@@ -254,8 +265,7 @@ void paint_strip(Canvas& canvas, const Exhibit& exhibit, const Scene& scene, con
     const double bottom = page.strip_top + strip_height(exhibit, scene) - 8;
     const Box plot{{Page::left, bottom - plot_height}, {Page::left + legend_width(scene), bottom}};
     const Point centre{page.width - Page::right - inset_radius - 2, bottom - inset_radius - 2};
-    const Page inset =
-        enlarged(page, *scene.least, centre, exhibit.problem.requirements.broom_length);
+    const Page inset = enlarged(page, *scene.least, centre, link_length(exhibit.problem));
     paint_caption(canvas, exhibit, *scene.least, {plot.low.x, plot.low.y - 25},
                   inset.scale / page.scale, colours);
     canvas.text({plot.high.x, plot.low.y - 8}, "clearance along the way",

@@ -39,8 +39,8 @@ function writeReadouts(state) {
   const clearance = story.clearance[state];
   put("out-clearance", Number.isFinite(clearance) ? clearance.toFixed(6) : "none");
   put("at-clearance", Number.isFinite(clearance)
-    ? `broom ${story.clearanceBroom[state] + 1}, obstacle ${story.clearanceObstacle[state] + 1}` : "no obstacles");
-  put("out-area", story.area[state].toFixed(6));
+    ? `${story.body === "chain" ? "broom" : "link"} ${story.clearanceBroom[state] + 1}, obstacle ${story.clearanceObstacle[state] + 1}` : "no obstacles");
+  if (story.body === "chain") put("out-area", story.area[state].toFixed(6));
   const turn = story.turn[state];
   put("out-turn", Number.isFinite(turn) ? `${((turn * 180) / Math.PI).toFixed(1)}\u00b0` : "none");
   put("at-turn", Number.isFinite(turn) ? `at ASV ${story.turnAsv[state] + 1}` : "");
@@ -60,6 +60,8 @@ function writeTotals() {
   put("of-steps", `of ${grouped(last)}`);
   put("of-cost", `of ${story.totalCost.toFixed(4)}`);
   put("of-area", `minimum ${story.minimumArea.toFixed(6)}`);
+  // Only ASVs have requirements on their shape.
+  for (const id of ["out-area", "out-turn"]) by(id).closest("div").hidden = story.body !== "chain";
 }
 
 function show({ ground = false } = {}) {

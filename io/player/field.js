@@ -56,10 +56,10 @@ function fillDot(context, x, y, radius) {
   context.fill();
 }
 
-/** Brooms, the closing side dashed, and a dot for each ASV; ASV 1 has an eye. */
+/** Links, for ASVs the closing side dashed, and a dot for each point; the first has an eye. */
 function paintChain(context, points, colour, width, radius) {
   context.strokeStyle = context.fillStyle = colour;
-  if (points.length > 4) {
+  if (points.length > 4 && story.body === "chain") {
     context.save();
     context.globalAlpha = 0.75;
     context.lineWidth = Math.max(width / 2, 1);

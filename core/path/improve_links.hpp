@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+
+#include "asv/core/path/improve.hpp"
+#include "asv/core/planning/limits.hpp"
+#include "asv/core/planning/result.hpp"
+#include "asv/core/planning/rng.hpp"
+#include "asv/core/space/link_space.hpp"
+
+namespace asv::core {
+
+/// Shortens the path of an arm or a point by straight shortcuts until the work is spent; once these
+/// gain nothing more, the same with other paths. Ends at once when the path costs no more than
+/// the lower bound. Returns the best path; on_better is told the cost of each. Work is counted in
+/// microseconds of a 2.8 GHz core, see work_of().
+Rows improve_links(Rows path, LinkSpace& space, const std::function<AnotherPath(Rng&)>& another,
+                   double lower_bound, double work, const Limits& limits, Rng& rng,
+                   const std::function<void(double)>& on_better = {});
+
+/// What all motions of a path cost.
+double path_cost(const LinkSpace& space, const Rows& path);
+
+}  // namespace asv::core

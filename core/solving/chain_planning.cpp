@@ -1,0 +1,113 @@
+#include "asv/core/path/improve.hpp"
+#include "asv/core/path/motion_cost.hpp"
+#include "asv/core/path/primitive_steps.hpp"
+#include "asv/core/solving/body_planning.hpp"
+#include "asv/core/space/broom_world.hpp"
+#include "asv/core/space/sliding_space.hpp"
+#include "asv/core/space/window.hpp"
+
+namespace asv::core {
+
+namespace {
+
+Attempt run(const AutoPlanner& planner, const BroomWorld& world, const Limits& limits, Rng& rng,
+            const Observer& observer) {
+    SlidingSpace space(world, planner.steering);
+    Attempt attempt;
+    attempt.search =
+        slide_pull(space, {world.start, world.goal}, planner.search, limits, rng, observer);
+    attempt.state_checks = space.checker().state_checks();
+    attempt.edge_checks = space.checker().motion_checks();
+    attempt.constrained_steps = space.constrained_steps();
+    return attempt;
+}
+
+Attempt run(const RrtConnectPlanner& planner, const BroomWorld& world, const Limits& limits,
+            Rng& rng, const Observer& observer) {
+    ClassicSpace space(world, planner.space);
+    Attempt attempt;
+    attempt.search =
+        rrt_connect(space, {world.start, world.goal}, planner.search, limits, rng, observer);
+    attempt.state_checks = space.checker().state_checks();
+    attempt.edge_checks = space.checker().motion_checks();
+    return attempt;
+}
+
+Anchor anchor_of(const Planner& planner) {
+    return std::holds_alternative<RrtConnectPlanner>(planner) ? Anchor::first_asv
+                                                              : Anchor::centroid;
+}
+
+class ChainPlanning : public BodyPlanning {
+  public:
+    ChainPlanning(const Problem& problem, const Planner& planner)
+        : planner_(planner), world_(bounded(problem), anchor_of(planner)) {}
+
+    Attempt search(const Limits& limits, Rng& rng, const Observer& observer) const override {
+        return std::visit(
+            [&](const auto& chosen) { return run(chosen, world_, limits, rng, observer); },
+            planner_);
+    }
+
+    double cost(const Rows& path) const override { return MotionCost(world_.chain).path(path); }
+
+    Rows improve(const Rows& path, const ImprovementOrder& order, Rng& rng,
+                 Attempt& spent) const override {
+        const auto another = [&](Rng& draws) {
+            Attempt attempt = search(order.search_limits, draws, {});
+            spent.state_checks += attempt.state_checks;
+            spent.edge_checks += attempt.edge_checks;
+            return AnotherPath{std::move(attempt.search.path),
+                               work_of(attempt.state_checks, attempt.constrained_steps,
+                                       world_.problem.asv_count())};
+        };
+        MotionChecker checker = world_.make_checker();
+        const auto* sliding = std::get_if<AutoPlanner>(&planner_);
+        SlideSteering steering(checker, world_.metric,
+                               sliding ? sliding->steering : SlideOptions{});
+        Rows rows = core::improve(path, checker, world_.metric, steering,
+                                  order.other_paths ? another : std::function<AnotherPath(Rng&)>{},
+                                  order.work, order.limits, rng, order.on_better);
+        spent.state_checks += checker.state_checks();
+        spent.edge_checks += checker.motion_checks();
+        return rows;
+    }
+
+    Path steps(const Rows& path) const override {
+        MotionChecker checker = world_.make_checker();
+        const Path planned = primitive_steps(world_.problem, path, checker);
+        if (!world_.transposed) return planned;
+        Path result(planned.asv_count());
+        result.reserve(planned.size());
+        std::vector<Point> state;
+        for (std::size_t i = 0; i < planned.size(); ++i) {
+            state.assign(planned.state(i).begin(), planned.state(i).end());
+            for (Point& p : state) std::swap(p.x, p.y);
+            result.push_back(state);
+        }
+        return result;
+    }
+
+    std::vector<Point> places(const Tree& tree) const override {
+        Pose pose = world_.chain.make_pose();
+        std::vector<Point> points;
+        for (std::uint32_t node = 0; node < tree.size(); ++node) {
+            world_.chain.forward(tree.row(node), pose);
+            points.push_back(world_.transposed ? Point{pose.y[0], pose.x[0]}
+                                               : Point{pose.x[0], pose.y[0]});
+        }
+        return points;
+    }
+
+  private:
+    const Planner& planner_;
+    BroomWorld world_;
+};
+
+}  // namespace
+
+std::unique_ptr<BodyPlanning> make_chain_planning(const Problem& problem, const Planner& planner) {
+    return std::make_unique<ChainPlanning>(problem, planner);
+}
+
+}  // namespace asv::core

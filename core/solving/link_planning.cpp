@@ -1,0 +1,91 @@
+#include "asv/core/path/improve_links.hpp"
+#include "asv/core/path/lower_bound.hpp"
+#include "asv/core/path/primitive_steps.hpp"
+#include "asv/core/solving/body_planning.hpp"
+#include "asv/core/space/link_space.hpp"
+#include "asv/core/space/link_world.hpp"
+
+namespace asv::core {
+
+namespace {
+
+SearchResult run(const AutoPlanner&, LinkSpace& space, const Query& query, const Limits& limits,
+                 Rng& rng, const Observer& observer) {
+    return rrt_connect(space, query, {}, limits, rng, observer);
+}
+
+SearchResult run(const RrtConnectPlanner& planner, LinkSpace& space, const Query& query,
+                 const Limits& limits, Rng& rng, const Observer& observer) {
+    return rrt_connect(space, query, planner.search, limits, rng, observer);
+}
+
+class LinkPlanning : public BodyPlanning {
+  public:
+    LinkPlanning(const Problem& problem, const Planner& planner)
+        : problem_(problem), planner_(planner), world_(problem) {}
+
+    Attempt search(const Limits& limits, Rng& rng, const Observer& observer) const override {
+        LinkSpace space(world_);
+        Attempt attempt;
+        attempt.search = std::visit(
+            [&](const auto& chosen) {
+                return run(chosen, space, {world_.start, world_.goal}, limits, rng, observer);
+            },
+            planner_);
+        attempt.state_checks = space.state_checks();
+        attempt.edge_checks = space.motion_checks();
+        return attempt;
+    }
+
+    double cost(const Rows& path) const override { return path_cost(LinkSpace(world_), path); }
+
+    Rows improve(const Rows& path, const ImprovementOrder& order, Rng& rng,
+                 Attempt& spent) const override {
+        LinkSpace space(world_);
+        const auto another = [&](Rng& draws) {
+            Attempt attempt = search(order.search_limits, draws, {});
+            spent.state_checks += attempt.state_checks;
+            spent.edge_checks += attempt.edge_checks;
+            return AnotherPath{
+                std::move(attempt.search.path),
+                work_of(attempt.state_checks, attempt.edge_checks, world_.dimension())};
+        };
+        Rows rows = improve_links(
+            path, space, order.other_paths ? another : std::function<AnotherPath(Rng&)>{},
+            cost_lower_bound(problem_).total, order.work, order.limits, rng, order.on_better);
+        spent.state_checks += space.state_checks();
+        spent.edge_checks += space.motion_checks();
+        return rows;
+    }
+
+    Path steps(const Rows& path) const override {
+        MotionChecker checker = world_.make_checker();
+        return primitive_steps(world_.problem, world_.chain_rows(path), checker);
+    }
+
+    std::vector<Point> places(const Tree& tree) const override {
+        LinkSpace space(world_);
+        std::vector<Point> points;
+        for (std::uint32_t node = 0; node < tree.size(); ++node)
+            points.push_back(space.position(tree.row(node)));
+        return points;
+    }
+
+  private:
+    const Problem& problem_;
+    const Planner& planner_;
+    LinkWorld world_;
+};
+
+}  // namespace
+
+std::unique_ptr<BodyPlanning> make_link_planning(const Problem& problem, const Planner& planner) {
+    return std::make_unique<LinkPlanning>(problem, planner);
+}
+
+std::unique_ptr<BodyPlanning> make_planning(const Problem& problem, const Planner& planner) {
+    return problem.body_kind() == BodyKind::chain ? make_chain_planning(problem, planner)
+                                                  : make_link_planning(problem, planner);
+}
+
+}  // namespace asv::core

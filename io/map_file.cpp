@@ -1,0 +1,250 @@
+#include "asv/io/map_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <memory>
+#include <optional>
+
+#include <cairo.h>
+
+#include "asv/io/atomic_file.hpp"
+#include "asv/io/json_place.hpp"
+#include "asv/io/parse_error.hpp"
+
+namespace asv::io {
+
+namespace {
+
+using geometry::Grid;
+
+/// More cells than this are no map that a planner could use.
+constexpr std::uint64_t most_cells = 100'000'000;
+
+bool is_blank(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+/// Walks over the words of a text and knows how to complain.
+class Words {
+  public:
+    Words(std::string_view text, const std::string& name, bool comments)
+        : text_(text), name_(name), comments_(comments) {}
+
+    std::size_t offset() const { return at_; }
+    void skip(std::size_t bytes) { at_ += bytes; }
+
+    [[noreturn]] void fail(const std::string& expected) {
+        skip_blanks();
+        fail_here(expected);
+    }
+
+    [[noreturn]] void fail_here(const std::string& expected) const {
+        const TextPlace place = place_of_offset(text_, at_);
+        const std::string_view found = next();
+        throw ParseError(
+            name_, place.line, place.column, expected,
+            found.empty() ? "the end of the file" : "'" + std::string(found.substr(0, 20)) + "'");
+    }
+
+    /// Steps over the next word when it is this one.
+    bool take(std::string_view word) {
+        skip_blanks();
+        if (next() != word) return false;
+        at_ += word.size();
+        return true;
+    }
+
+    std::uint64_t number(const std::string& what, std::uint64_t low, std::uint64_t high) {
+        skip_blanks();
+        const std::string_view digits = next();
+        std::uint64_t value = 0;
+        const auto [end, error] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        if (error != std::errc{} || end != digits.data() + digits.size() || value < low ||
+            value > high)
+            fail_here(what + " (a whole number from " + std::to_string(low) + " to " +
+                      std::to_string(high) + ")");
+        at_ += digits.size();
+        return value;
+    }
+
+    /// The next character that is no blank, or none at the end.
+    std::optional<char> character() {
+        skip_blanks();
+        if (at_ >= text_.size()) return std::nullopt;
+        return text_[at_++];
+    }
+    void back() { --at_; }
+
+  private:
+    std::string_view next() const {
+        std::size_t end = at_;
+        while (end < text_.size() && !is_blank(text_[end])) ++end;
+        return text_.substr(at_, end - at_);
+    }
+
+    void skip_blanks() {
+        while (at_ < text_.size() && (is_blank(text_[at_]) || (comments_ && text_[at_] == '#'))) {
+            const bool comment = text_[at_] == '#';
+            at_ = comment ? std::min(text_.find('\n', at_), text_.size()) : at_ + 1;
+        }
+    }
+
+    std::string_view text_;
+    const std::string& name_;
+    bool comments_;
+    std::size_t at_ = 0;
+};
+
+/// An empty grid of this size, where the content can fill it.
+Grid make_grid(std::uint64_t width, std::uint64_t height, Words& words) {
+    if (width * height > most_cells)
+        words.fail_here("at most " + std::to_string(most_cells) + " cells");
+    Grid grid{static_cast<std::size_t>(width), static_cast<std::size_t>(height)};
+    grid.cells.resize(grid.width * grid.height);
+    return grid;
+}
+
+/// Sets the cells from the top line down to what next() says.
+template <class Next>
+void fill(Grid& grid, const Next& next) {
+    for (std::size_t y = grid.height; y-- > 0;)
+        for (std::size_t x = 0; x < grid.width; ++x) grid.cells[y * grid.width + x] = next();
+}
+
+constexpr std::uint64_t longest_side = 1'000'000;
+
+Grid parse_pgm(std::string_view content, const std::string& name, double threshold) {
+    const bool binary = content[1] == '5';
+    Words words(content, name, true);
+    words.skip(2);
+    const std::uint64_t width = words.number("the width", 1, longest_side);
+    const std::uint64_t height = words.number("the height", 1, longest_side);
+    const std::uint64_t white = words.number("the value of white", 1, 65535);
+    const auto is_dark = [&](std::uint64_t value) -> std::uint8_t {
+        return static_cast<double>(value) * 255 <= threshold * static_cast<double>(white);
+    };
+    if (!binary) {
+        if (width * height > content.size()) words.fail("more pixels");
+        Grid grid = make_grid(width, height, words);
+        fill(grid, [&] { return is_dark(words.number("a pixel", 0, white)); });
+        return grid;
+    }
+    words.skip(1);
+    const std::size_t bytes = white > 255 ? 2 : 1;
+    if (words.offset() > content.size() ||
+        width * height > (content.size() - words.offset()) / bytes) {
+        words.skip(content.size() - std::min(words.offset(), content.size()));
+        words.fail_here(std::to_string(width * height * bytes) + " bytes of pixels");
+    }
+    Grid grid = make_grid(width, height, words);
+    std::size_t at = words.offset();
+    fill(grid, [&] {
+        std::uint64_t value = static_cast<unsigned char>(content[at++]);
+        if (bytes == 2) value = value << 8 | static_cast<unsigned char>(content[at++]);
+        return is_dark(value);
+    });
+    return grid;
+}
+
+struct Input {
+    std::string_view rest;
+};
+
+cairo_status_t read_some(void* closure, unsigned char* data, unsigned int length) {
+    auto& input = *static_cast<Input*>(closure);
+    if (input.rest.size() < length) return CAIRO_STATUS_READ_ERROR;
+    std::memcpy(data, input.rest.data(), length);
+    input.rest.remove_prefix(length);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+struct Destroy {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
+
+/// The picture on white, in 8 bits for each colour, whatever it had.
+Surface on_white(cairo_surface_t* picture) {
+    const int width = cairo_image_surface_get_width(picture);
+    const int height = cairo_image_surface_get_height(picture);
+    Surface flat(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+    const std::unique_ptr<cairo_t, Destroy> context(cairo_create(flat.get()));
+    cairo_set_source_rgb(context.get(), 1, 1, 1);
+    cairo_paint(context.get());
+    cairo_set_source_surface(context.get(), picture, 0, 0);
+    cairo_paint(context.get());
+    cairo_surface_flush(flat.get());
+    return flat;
+}
+
+Grid parse_png(std::string_view content, const std::string& name, double threshold) {
+    Input input{content};
+    const Surface picture(cairo_image_surface_create_from_png_stream(read_some, &input));
+    if (const auto status = cairo_surface_status(picture.get()); status != CAIRO_STATUS_SUCCESS)
+        throw ParseError(name, 1, 1, "a PNG picture", cairo_status_to_string(status));
+    const Surface flat = on_white(picture.get());
+    Words words(content, name, false);
+    Grid grid =
+        make_grid(static_cast<std::uint64_t>(cairo_image_surface_get_width(flat.get())),
+                  static_cast<std::uint64_t>(cairo_image_surface_get_height(flat.get())), words);
+    const unsigned char* data = cairo_image_surface_get_data(flat.get());
+    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(flat.get()));
+    for (std::size_t y = 0; y < grid.height; ++y) {
+        for (std::size_t x = 0; x < grid.width; ++x) {
+            std::uint32_t pixel = 0;
+            std::memcpy(&pixel, data + (grid.height - 1 - y) * stride + 4 * x, sizeof pixel);
+            // ITU-R BT.601 luma.
+            const double luma = 0.299 * static_cast<double>(pixel >> 16 & 255) +
+                                0.587 * static_cast<double>(pixel >> 8 & 255) +
+                                0.114 * static_cast<double>(pixel & 255);
+            grid.cells[y * grid.width + x] = luma <= threshold;
+        }
+    }
+    return grid;
+}
+
+Grid parse_text_grid(std::string_view content, const std::string& name) {
+    Words words(content, name, false);
+    std::uint64_t width = 0, height = 0;
+    while (width == 0 || height == 0) {
+        if (width == 0 && words.take("width")) {
+            width = words.number("the width", 1, longest_side);
+        } else if (height == 0 && words.take("height")) {
+            height = words.number("the height", 1, longest_side);
+        } else {
+            words.fail("a PGM or PNG picture, or a grid that begins with 'height H' and 'width W'");
+        }
+    }
+    if (width * height > content.size())
+        words.fail(std::to_string(width * height) + " digits 0 or 1");
+    Grid grid = make_grid(width, height, words);
+    fill(grid, [&]() -> std::uint8_t {
+        const std::optional<char> digit = words.character();
+        if (digit && (*digit == '0' || *digit == '1')) return *digit == '1';
+        if (digit) words.back();
+        words.fail_here("0 or 1");
+    });
+    if (words.character()) {
+        words.back();
+        words.fail_here("the end of the file after " + std::to_string(width * height) + " digits");
+    }
+    return grid;
+}
+
+}  // namespace
+
+Grid parse_map(std::string_view content, const std::string& name, double threshold) {
+    if (content.starts_with("P2") || content.starts_with("P5"))
+        return parse_pgm(content, name, threshold);
+    if (content.starts_with("\x89PNG")) return parse_png(content, name, threshold);
+    return parse_text_grid(content, name);
+}
+
+Grid read_map(const std::filesystem::path& file, double threshold) {
+    return parse_map(read_file(file), file.string(), threshold);
+}
+
+}  // namespace asv::io
