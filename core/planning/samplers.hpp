@@ -170,7 +170,7 @@ enum class SamplerKind { own, uniform, grid, stepwise, corridor, gaussian, bridg
 
 struct SamplerOptions {
     SamplerKind kind = SamplerKind::own;
-    double sigma = 0.05;            ///< of Gaussian, bridge and passage, in the metric
+    double sigma = 0;               ///< of Gaussian, bridge and passage, in the metric
     std::size_t grid_cells = 1000;  ///< of the first grid
     std::size_t displacements = 5;  ///< that passage sampling looks at
     /// Of the mix, in the order of SamplerKind, own first.

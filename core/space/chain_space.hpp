@@ -63,6 +63,8 @@ class ChainSpace {
     bool sample_corridor(Rng& rng, std::span<double> row);
 
     MotionChecker& checker() { return checker_; }
+    std::uint64_t state_checks() const { return checker_.state_checks(); }
+    std::uint64_t motion_checks() const { return checker_.motion_checks(); }
 
   protected:
     const BroomWorld& world_;

@@ -30,6 +30,7 @@ std::vector<Row> draws(const SamplerOptions& options, PointSpace& space, std::si
 SamplerOptions of(SamplerKind kind) {
     SamplerOptions options;
     options.kind = kind;
+    options.sigma = 0.05;
     return options;
 }
 
