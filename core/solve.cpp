@@ -12,6 +12,7 @@
 #include "asv/core/path/feasibility.hpp"
 #include "asv/core/path/lower_bound.hpp"
 #include "asv/core/solving/body_planning.hpp"
+#include "asv/core/space/window.hpp"
 #include "asv/core/validate.hpp"
 
 namespace asv::core {
@@ -79,11 +80,14 @@ class Solver {
         return problem;
     }
 
-    /// Seconds to keep for turning a path into steps, checking and writing it: some 5 units of way
-    /// for each ASV, in steps of the greatest length, at a few microseconds for each position.
+    /// Seconds to keep for turning a path into steps, checking and writing it: some 5 sides of the
+    /// field for each ASV, in steps of the greatest length, at a few microseconds for each
+    /// position.
     double time_to_finish() const {
+        const Box window = planning_window(given_);
+        const double side = std::max(window.high.x - window.low.x, window.high.y - window.low.y);
         const double positions =
-            5 / given_.requirements.max_step * static_cast<double>(given_.asv_count());
+            5 * side / given_.requirements.max_step * static_cast<double>(given_.asv_count());
         const double obstacles = static_cast<double>(given_.obstacles.size());
         return std::min(0.02 + 3e-6 * positions + 1e-5 * obstacles, 0.5 * options_.time_limit);
     }

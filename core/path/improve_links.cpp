@@ -12,8 +12,8 @@ namespace {
 constexpr int patience = 200;
 /// Searches in a row that fail before no more are tried.
 constexpr int most_failures = 5;
-/// Nearer to the lower bound there is nothing to gain.
-constexpr double negligible = 1e-9;
+/// Nearer to the lower bound there is nothing to gain, in shares of it.
+constexpr double negligible = 1e-5;
 
 class LinkImprovement {
   public:

@@ -2,6 +2,7 @@
 #include "asv/core/path/motion_cost.hpp"
 #include "asv/core/path/primitive_steps.hpp"
 #include "asv/core/solving/body_planning.hpp"
+#include "asv/core/solving/scaled_problem.hpp"
 #include "asv/core/solving/search_in.hpp"
 #include "asv/core/space/broom_world.hpp"
 #include "asv/core/space/chain_space.hpp"
@@ -57,15 +58,23 @@ Anchor anchor_of(const Planner& planner) {
 class ChainPlanning : public BodyPlanning {
   public:
     ChainPlanning(const Problem& problem, const Planner& planner)
-        : planner_(planner), world_(bounded(problem), anchor_of(planner)) {}
+        : planner_(planner),
+          unit_(unit_of(problem)),
+          world_(in_units(bounded(problem), unit_), anchor_of(planner)) {}
 
     Attempt search(const Limits& limits, Rng& rng, const Observer& observer) const override {
+        const Observer in_units = [&](Progress progress) {
+            progress.cost *= unit_;
+            observer(progress);
+        };
+        const Observer& told = observer && unit_ != 1 ? in_units : observer;
         return std::visit(
-            [&](const auto& chosen) { return run(chosen, world_, limits, rng, observer); },
-            planner_);
+            [&](const auto& chosen) { return run(chosen, world_, limits, rng, told); }, planner_);
     }
 
-    double cost(const Rows& path) const override { return MotionCost(world_.chain).path(path); }
+    double cost(const Rows& path) const override {
+        return unit_ * MotionCost(world_.chain).path(path);
+    }
 
     Rows improve(const Rows& path, const ImprovementOrder& order, Rng& rng,
                  Attempt& spent) const override {
@@ -77,13 +86,16 @@ class ChainPlanning : public BodyPlanning {
                                work_of(attempt.state_checks, attempt.constrained_steps,
                                        world_.problem.asv_count())};
         };
+        const auto on_better = [&](double better) {
+            if (order.on_better) order.on_better(unit_ * better);
+        };
         MotionChecker checker = world_.make_checker();
         const auto* sliding = std::get_if<AutoPlanner>(&planner_);
         SlideSteering steering(checker, world_.metric,
                                sliding ? sliding->steering : SlideOptions{});
         Rows rows = core::improve(path, checker, world_.metric, steering,
                                   order.other_paths ? another : std::function<AnotherPath(Rng&)>{},
-                                  order.work, order.limits, rng, order.on_better);
+                                  order.work, order.limits, rng, on_better);
         spent.state_checks += checker.state_checks();
         spent.edge_checks += checker.motion_checks();
         return rows;
@@ -91,7 +103,8 @@ class ChainPlanning : public BodyPlanning {
 
     Path steps(const Rows& path) const override {
         MotionChecker checker = world_.make_checker();
-        const Path planned = primitive_steps(world_.problem, path, checker);
+        Path planned = primitive_steps(world_.problem, path, checker);
+        if (unit_ != 1) planned = out_of_units(planned, unit_);
         if (!world_.transposed) return planned;
         Path result(planned.asv_count());
         result.reserve(planned.size());
@@ -109,14 +122,15 @@ class ChainPlanning : public BodyPlanning {
         std::vector<Point> points;
         for (std::uint32_t node = 0; node < tree.size(); ++node) {
             world_.chain.forward(tree.row(node), pose);
-            points.push_back(world_.transposed ? Point{pose.y[0], pose.x[0]}
-                                               : Point{pose.x[0], pose.y[0]});
+            const double x = unit_ * pose.x[0], y = unit_ * pose.y[0];
+            points.push_back(world_.transposed ? Point{y, x} : Point{x, y});
         }
         return points;
     }
 
   private:
     const Planner& planner_;
+    double unit_;  ///< of the world, in those of the problem
     BroomWorld world_;
 };
 

@@ -33,6 +33,9 @@ Attempt run(const Chosen& planner, const LinkWorld& world, const Limits& limits,
     return attempt;
 }
 
+/// Microseconds that a search takes besides its checks.
+constexpr double work_of_search = 50;
+
 class LinkPlanning : public BodyPlanning {
   public:
     LinkPlanning(const Problem& problem, const Planner& planner)
@@ -53,13 +56,13 @@ class LinkPlanning : public BodyPlanning {
             Attempt attempt = search(order.search_limits, draws, {});
             spent.state_checks += attempt.state_checks;
             spent.edge_checks += attempt.edge_checks;
-            return AnotherPath{
-                std::move(attempt.search.path),
-                work_of(attempt.state_checks, attempt.edge_checks, world_.dimension())};
+            return AnotherPath{std::move(attempt.search.path),
+                               work_of_search + work_of(attempt.state_checks, attempt.edge_checks,
+                                                        world_.dimension())};
         };
-        Rows rows = improve_links(
-            path, space, order.other_paths ? another : std::function<AnotherPath(Rng&)>{},
-            cost_lower_bound(problem_).total, order.work, order.limits, rng, order.on_better);
+        Rows rows = improve_links(path, space,
+                                  order.other_paths ? another : std::function<AnotherPath(Rng&)>{},
+                                  lower_bound(), order.work, order.limits, rng, order.on_better);
         spent.state_checks += space.state_checks();
         spent.edge_checks += space.motion_checks();
         return rows;
@@ -79,6 +82,13 @@ class LinkPlanning : public BodyPlanning {
     }
 
   private:
+    /// Of a path that has no use for the tolerance.
+    double lower_bound() const {
+        Problem exact = problem_;
+        exact.requirements.tolerance = 0;
+        return cost_lower_bound(exact).total;
+    }
+
     const Problem& problem_;
     const Planner& planner_;
     LinkWorld world_;

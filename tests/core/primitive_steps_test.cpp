@@ -153,7 +153,7 @@ TEST(PrimitiveSteps, BeginAndEndExactlyWhereAFileSays) {
         Row goal(world.goal);
         const std::size_t d = goal.size(), last = made.rows.size() / d - 1;
         if (last < 1) return;
-        unwrap(goal, nth(made.rows, d, last), 2);
+        unwrap(goal, nth(made.rows, d, last), WrappingAngles{2, 1});
         std::copy(goal.begin(), goal.end(), made.rows.end() - static_cast<std::ptrdiff_t>(d));
         MotionChecker checker = world.make_checker();
         for (std::size_t i = 1; i <= last; ++i)

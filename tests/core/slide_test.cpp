@@ -68,7 +68,7 @@ TEST(Slide, EveryMotionIsValidAndComesNearer) {
         ShapeSampler sampler(slider.checker);
         Row from(slider.world.start), to(slider.world.goal);
         if (!sampler.sample(rng, from) || !sampler.sample(rng, to)) return;
-        unwrap(to, from, to.size() > 2 ? std::optional<std::size_t>(2) : std::nullopt);
+        unwrap(to, from, WrappingAngles{2, to.size() > 2 ? 1U : 0U});
         Rows visited;
         const Steered outcome = slider.steering.slide(from, to, visited);
         ++outcomes[static_cast<std::size_t>(outcome)];
