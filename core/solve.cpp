@@ -225,7 +225,7 @@ class Solver {
             count(attempt.state_checks, attempt.edge_checks);
             return AnotherPath{
                 std::move(attempt.search.path),
-                work_of(attempt.state_checks, attempt.constrained_steps, given_.asv_count())};
+                work_of({attempt.state_checks, attempt.constrained_steps}, given_.asv_count())};
         };
         MotionChecker checker = world_.make_checker();
         const auto* planner = std::get_if<AutoPlanner>(&options_.planner);
