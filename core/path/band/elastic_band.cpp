@@ -208,6 +208,7 @@ void ElasticBand::keep_valid() {
 
 Rows ElasticBand::path() {
     thin(std::numeric_limits<double>::infinity(), 1e-9);
+    cost_now_ = cost_.path(path_.rows);
     return path_.rows;
 }
 
