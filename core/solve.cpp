@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -37,8 +38,11 @@ Clock::time_point after(Clock::time_point begin, double seconds) {
 /// save.
 constexpr double cheap_work = 2000;
 
-/// Seconds of search after which a proof that there is no path is looked for.
-constexpr double easy = 0.2;
+/// Seconds of search after which a proof that there is no path is looked for, some of them for each
+/// obstacle: about what the proof itself takes.
+double easy(const Problem& problem) {
+    return 0.2 + 2e-5 * static_cast<double>(problem.obstacles.size());
+}
 
 /// What one thread makes of the problem.
 struct Attempt {
@@ -97,7 +101,8 @@ class Solver {
         } else {
             improve_path();
             finish();
-            result_.statistics.cost_lower_bound = cost_lower_bound(given_).total;
+            if (seconds_since(options_.started) + time_of_bound() < options_.time_limit)
+                result_.statistics.cost_lower_bound = cost_lower_bound(given_).total;
         }
         result_.statistics.time_total = seconds_since(options_.started);
         return std::move(result_);
@@ -114,7 +119,13 @@ class Solver {
     double time_to_finish() const {
         const double positions =
             5 / given_.requirements.max_step * static_cast<double>(given_.asv_count());
-        return std::min(0.02 + 3e-6 * positions, 0.3 * options_.time_limit);
+        const double obstacles = static_cast<double>(given_.obstacles.size());
+        return std::min(0.02 + 3e-6 * positions + 1e-5 * obstacles, 0.5 * options_.time_limit);
+    }
+
+    /// Seconds that the lower bound takes at most, roughly.
+    double time_of_bound() const {
+        return 1e-3 + 3e-5 * static_cast<double>(given_.obstacles.size());
     }
 
     std::uint64_t seed_of(std::size_t thread) const {
@@ -166,7 +177,7 @@ class Solver {
     Observer make_observer() {
         return [this, last = 0.0, checked = false](const Progress& progress) mutable {
             const double elapsed = seconds_since(options_.started);
-            if (!checked && elapsed > easy && options_.time_limit > 10 * easy) {
+            if (!checked && elapsed > easy(given_) && options_.time_limit > 10 * easy(given_)) {
                 checked = true;
                 const Feasibility proof = check_separation(given_);
                 if (proof.cause != Infeasibility::none) {
@@ -180,23 +191,28 @@ class Solver {
         };
     }
 
+    /// Every thread improves the path with draws of its own; the best one stays.
     void improve_path() {
+        const Rows first = rows_;
+        double best = std::numeric_limits<double>::infinity();
+        const auto improve_once = [&](std::size_t thread) {
+            Rows rows = improved(first, thread);
+            const double cost = MotionCost(world_.chain).path(rows);
+            const std::lock_guard lock(mutex_);
+            if (cost >= best) return;
+            best = cost;
+            rows_ = std::move(rows);
+        };
+        std::vector<std::jthread> helpers;
+        for (std::size_t thread = 1; thread < std::max<std::size_t>(options_.threads, 1); ++thread)
+            helpers.emplace_back([&improve_once, thread] { improve_once(thread); });
+        improve_once(0);
+    }
+
+    Rows improved(const Rows& first, std::size_t thread) {
         Limits limits;
         limits.deadline = deadline_;
         limits.stop = options_.stop;
-        MotionChecker checker = world_.make_checker();
-        const auto* planner = std::get_if<AutoPlanner>(&options_.planner);
-        SlideSteering steering(checker, world_.metric,
-                               planner ? planner->steering : SlideOptions{});
-        Rng rng(~seed_of(*winner_));
-        double last = 0;
-        const auto on_better = [&](double better) {
-            const double elapsed = seconds_since(options_.started);
-            result_.statistics.cost_history.emplace_back(elapsed, better);
-            if (!options_.on_progress || elapsed - last < 0.1) return;
-            last = elapsed;
-            options_.on_progress({{}, better, elapsed});
-        };
         // Searches that take much longer than the first one did are not worth their time.
         Limits search_limits = limits;
         search_limits.max_iterations = 3 * result_.statistics.iterations + 200;
@@ -206,17 +222,39 @@ class Solver {
                     return core::run(chosen, world_, search_limits, draws, {});
                 },
                 options_.planner);
-            result_.statistics.state_checks += attempt.state_checks;
-            result_.statistics.edge_checks += attempt.edge_checks;
+            count(attempt.state_checks, attempt.edge_checks);
             return AnotherPath{
                 std::move(attempt.search.path),
                 work_of(attempt.state_checks, attempt.constrained_steps, given_.asv_count())};
         };
-        rows_ = improve(std::move(rows_), checker, world_.metric, steering,
-                        options_.optimize > 0 ? another : std::function<AnotherPath(Rng&)>{},
-                        cheap_work + 1e6 * options_.optimize, limits, rng, on_better);
-        result_.statistics.state_checks += checker.state_checks();
-        result_.statistics.edge_checks += checker.motion_checks();
+        MotionChecker checker = world_.make_checker();
+        const auto* planner = std::get_if<AutoPlanner>(&options_.planner);
+        SlideSteering steering(checker, world_.metric,
+                               planner ? planner->steering : SlideOptions{});
+        Rng rng(~seed_of(*winner_ + thread));
+        Rows rows = improve(first, checker, world_.metric, steering,
+                            options_.optimize > 0 ? another : std::function<AnotherPath(Rng&)>{},
+                            cheap_work + 1e6 * options_.optimize, limits, rng,
+                            [&](double cost) { note_better(cost, thread == 0); });
+        count(checker.state_checks(), checker.motion_checks());
+        return rows;
+    }
+
+    void count(std::uint64_t state_checks, std::uint64_t edge_checks) {
+        const std::lock_guard lock(mutex_);
+        result_.statistics.state_checks += state_checks;
+        result_.statistics.edge_checks += edge_checks;
+    }
+
+    /// Keeps the history of the best cost of all threads; the first one reports.
+    void note_better(double cost, bool reports) {
+        const double elapsed = seconds_since(options_.started);
+        const std::lock_guard lock(mutex_);
+        auto& history = result_.statistics.cost_history;
+        if (cost < history.back().second) history.emplace_back(elapsed, cost);
+        if (!reports || !options_.on_progress || elapsed - last_report_ < 0.1) return;
+        last_report_ = elapsed;
+        options_.on_progress({{}, history.back().second, elapsed});
     }
 
     void finish() {
@@ -248,6 +286,7 @@ class Solver {
     }
 
     void draw_trees(const std::vector<Tree>& trees) {
+        result_.trees.clear();
         Pose pose = world_.chain.make_pose();
         for (const Tree& tree : trees) {
             TreePicture picture;
@@ -277,6 +316,7 @@ class Solver {
     std::optional<std::string> infeasible_;
     Outcome failure_ = Outcome::deadline;
     Rows rows_;
+    double last_report_ = 0;
     SolveResult result_;
 };
 

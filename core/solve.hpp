@@ -30,7 +30,7 @@ struct SolveOptions {
     std::uint64_t seed = 1;
     double time_limit = 60;   ///< seconds from `started` for everything
     double optimize = 1;      ///< seconds of improvement after the first solution
-    std::size_t threads = 1;  ///< that race different seeds; 0 counts as 1
+    std::size_t threads = 1;  ///< that race different seeds, then improve; 0 counts as 1
     bool reverse = false;     ///< plan from goal to start; the path is given from start to goal
     bool keep_trees = false;  ///< fill SolveResult::trees
     Clock::time_point started = Clock::now();
@@ -59,7 +59,7 @@ struct TreePicture {
 struct SolveStatistics {
     double time_to_first = 0, time_total = 0;  ///< seconds
     double cost_first = 0, cost = 0;           ///< workspace units
-    double cost_lower_bound = 0;               ///< no path costs less
+    double cost_lower_bound = 0;  ///< no path costs less; 0 where there was no time for it
     std::size_t tree_nodes[2] = {0, 0};
     std::size_t iterations = 0;
     std::uint64_t state_checks = 0, edge_checks = 0;

@@ -94,6 +94,8 @@ ExitCode validate_files(const CommandLine& command_line, const Arguments& argume
                                     arguments.options.tolerance, check(file.problem, arguments)};
     for (const ValidatedPart& part : summary.parts) print(part);
     std::cout << (summary.valid() ? "valid\n" : "not valid\n");
+    // The JSON may be told to follow on standard output.
+    std::cout.flush();
     if (!arguments.json.empty()) write_validation(arguments.json, summary);
     return summary.valid() ? ExitCode::done : ExitCode::no;
 }

@@ -123,10 +123,11 @@ Problem gauntlet(const GauntletOptions& options, Rng& rng) {
     require_range("walls", options.walls, 1u, 6u);
     require_range("thickness", options.thickness, 0.005, 0.5);
     require_range("least-offset", options.least_offset, 0.0, 0.35);
-    const double room = options.room.value_or(
-        std::clamp(1.25 * round_diameter(n, problem.requirements), 0.2, 0.34));
-    require_range("room", room, 0.02, 0.48);
     const auto walls = static_cast<double>(options.walls);
+    const double room = options.room.value_or(
+        std::min(std::clamp(1.25 * round_diameter(n, problem.requirements), 0.2, 0.34),
+                 (1 - walls * options.thickness - (walls - 1) * 0.1) / 2));
+    require_range("walls, thickness and room", room, 0.02, 0.48);
     const double between = options.walls == 1
                                ? 1 - 2 * room
                                : (1 - 2 * room - walls * options.thickness) / (walls - 1);

@@ -62,11 +62,12 @@ Problem bend(const BendOptions& options, Rng& rng);
 struct GauntletOptions {
     ChainOptions chain;
     PassageHeight height;
-    std::size_t walls = 2;       ///< 1 to 6
-    double thickness = 0.1;      ///< of each wall, 0.005 to 0.5
-    double least_offset = 0.2;   ///< between the axes of neighbouring corridors, 0 to 0.35
-    std::optional<double> room;  ///< width of the first and last room; 1.25 times round_diameter,
-                                 ///< at least 0.2 and at most 0.34, by default
+    std::size_t walls = 2;      ///< 1 to 6
+    double thickness = 0.1;     ///< of each wall, 0.005 to 0.5
+    double least_offset = 0.2;  ///< between the axes of neighbouring corridors, 0 to 0.35
+    /// Width of the first and last room, 0.02 to 0.48. By default 1.25 times round_diameter, at
+    /// least 0.2, at most 0.34 and what leaves 0.1 between the walls.
+    std::optional<double> room;
 };
 Problem gauntlet(const GauntletOptions& options, Rng& rng);
 

@@ -78,7 +78,8 @@ double MotionChecker::prove(std::span<const double> from, std::span<const double
         gaps_.pop_back();
         const double length = gap.end - gap.begin;
         if (length <= 0) continue;
-        if (length * speed_bound_ <= (blocked ? resolution : finest_motion)) return gap.begin;
+        if (length * speed_bound_ <= (blocked && gaps_.empty() ? resolution : finest_motion))
+            return gap.begin;
         const double middle = 0.5 * (gap.begin + gap.end);
         const Reach proven = reach(middle, middle - gap.begin, gap.end - middle);
         if (proven.back < 0) {

@@ -165,7 +165,7 @@ void Canvas::stroke_segments(std::span<const Segment> segments, const Stroke& st
 
 void Canvas::fill_dots(std::span<const Point> centres, double radius, const Colour& colour) {
     // A line without length has round ends alone.
-    apply({colour, 2 * radius});
+    apply(Stroke{colour, 2 * radius});
     for_each_part(cairo_, centres, trace_dot, cairo_stroke);
 }
 

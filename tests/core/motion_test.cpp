@@ -186,7 +186,7 @@ TEST(Motion, PrefixEndsShortlyBeforeTheFirstInvalidState) {
     });
     std::cout << blocked << " motions blocked, " << early << " of them too early\n";
     EXPECT_GT(blocked, 100U);
-    EXPECT_LE(early, blocked / 100);
+    EXPECT_LE(early, blocked / 200);
 }
 
 TEST(Motion, AWholeMotionIsValidWhenItsPrefixSaysSo) {

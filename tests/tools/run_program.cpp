@@ -1,16 +1,16 @@
 #include "run_program.hpp"
 
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <system_error>
 
 #include "../io/temporary_folder.hpp"
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include "asv/io/atomic_file.hpp"
 
 namespace asv::test {

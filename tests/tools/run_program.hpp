@@ -16,9 +16,9 @@ struct Outcome {
 
 /// The world that a program runs in; 0 means as it is here.
 struct Surroundings {
-    std::size_t largest_file = 0;    ///< bytes that any file may grow to
-    std::size_t memory = 0;          ///< bytes of address space; not kept under sanitizers
-    unsigned user = 0;               ///< run as this user, which only root can ask for
+    std::size_t largest_file = 0;  ///< bytes that any file may grow to
+    std::size_t memory = 0;        ///< bytes of address space; not kept under sanitizers
+    unsigned user = 0;             ///< run as this user, which only root can ask for
     std::filesystem::path standard_output = {};  ///< instead of Outcome::out
 };
 

@@ -1,0 +1,104 @@
+#include "asv/core/path/primitive_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "oracle.hpp"
+
+#include "asv/core/path/cost.hpp"
+#include "asv/core/planning/two_trees.hpp"
+#include "asv/core/space/sampling/shape_sampler.hpp"
+#include "asv/core/space/steering/slide.hpp"
+#include "asv/core/validate.hpp"
+
+namespace asv::core {
+namespace {
+
+using testing::between;
+using testing::for_seeds;
+using testing::moved;
+using testing::nth;
+using testing::Points;
+using testing::ring;
+using testing::Row;
+using testing::scaled;
+
+Path steps_of(const Problem& problem, const Rows& rows) {
+    const BroomWorld world(problem, Anchor::centroid);
+    MotionChecker checker = world.make_checker();
+    return primitive_steps(world.problem, rows, checker);
+}
+
+double farthest(std::span<const Point> a, std::span<const Point> b) {
+    double most = 0;
+    for (std::size_t j = 0; j < a.size(); ++j)
+        most = std::max(most, std::hypot(a[j].x - b[j].x, a[j].y - b[j].y));
+    return most;
+}
+
+void expect_steps_of(const Problem& problem, const Path& path) {
+    ASSERT_TRUE(std::ranges::equal(path.state(0), problem.start));
+    ASSERT_TRUE(std::ranges::equal(path.state(path.size() - 1), problem.goal));
+    for (std::size_t i = 1; i < path.size(); ++i)
+        ASSERT_LE(farthest(path.state(i - 1), path.state(i)), problem.requirements.max_step)
+            << "step " << i;
+    const ValidationReport report = validate(problem, {path, cost(path)}, {.continuous = true});
+    for (const auto* checks : {&report.checks, &report.motion})
+        for (const CheckResult& check : *checks)
+            ASSERT_TRUE(check.ok()) << name(check.check) << ": " << describe(check);
+}
+
+/// A path by slides among boxes, and the problem that asks for it.
+struct SlidePath {
+    SlidePath(Rng& rng, std::size_t n) {
+        problem = testing::problem(ring(n, {0.2, 0.2}, 1), ring(n, {0.8, 0.8}, 2));
+        problem.obstacles = testing::clutter(rng, 25, 0.08, problem);
+        const BroomWorld world(problem, Anchor::centroid);
+        MotionChecker checker = world.make_checker();
+        SlideSteering steering(checker, world.metric, {});
+        ShapeSampler sampler(checker);
+        rows = world.start;
+        const std::size_t d = rows.size();
+        for (int leg = 0; leg < 3; ++leg) {
+            const Row from(rows.end() - static_cast<std::ptrdiff_t>(d), rows.end());
+            Row to(from);
+            if (!sampler.sample(rng, to)) continue;
+            unwrap(to, from, d > 2 ? std::optional<std::size_t>(2) : std::nullopt);
+            steering.slide(from, to, rows);
+        }
+        problem.goal = testing::positions_of(world.chain, nth(rows, d, rows.size() / d - 1));
+    }
+    Problem problem;
+    Rows rows;
+};
+
+/// A point goes round the corner of a box, or over where it would be.
+Path round_a_corner(bool with_box) {
+    constexpr double gap = 1.5e-5;
+    const Point start{0.35, 0.5 + gap}, corner{0.5 + gap, 0.5 + gap}, goal{0.5 + gap, 0.25};
+    Problem problem = testing::problem({start}, {goal});
+    if (with_box) problem.obstacles = {{{0.2, 0.1}, {0.5, 0.5}}};
+    const Path path = steps_of(problem, {start.x, start.y, corner.x, corner.y, goal.x, goal.y});
+    expect_steps_of(problem, path);
+    return path;
+}
+
+TEST(PrimitiveSteps, CutACornerOnlyWhereThatIsProven) {
+    const Point corner{0.5 + 1.5e-5, 0.5 + 1.5e-5};
+    const auto stops_there = [&](const Path& path) {
+        return std::ranges::find(path.points(), corner) != path.points().end();
+    };
+    EXPECT_TRUE(stops_there(round_a_corner(true)));
+    EXPECT_FALSE(stops_there(round_a_corner(false)));
+}
+
+TEST(PrimitiveSteps, APathOfOneStateIsOneStep) {
+    const Problem problem = testing::problem(ring(3, {0.5, 0.5}, 0), ring(3, {0.5, 0.5}, 0));
+    const BroomWorld world(problem, Anchor::centroid);
+    const Path path = steps_of(problem, world.start);
+    EXPECT_LE(path.size(), 2U);
+    EXPECT_TRUE(std::ranges::equal(path.state(0), problem.start));
+}
+
+}  // namespace
+}  // namespace asv::core

@@ -1,0 +1,195 @@
+#include "asv/core/path/shorten.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "oracle.hpp"
+
+#include "asv/core/path/cost.hpp"
+#include "asv/core/path/improve.hpp"
+#include "asv/core/planning/two_trees.hpp"
+#include "asv/core/space/sampling/shape_sampler.hpp"
+
+namespace asv::core {
+namespace {
+
+using testing::between;
+using testing::for_seeds;
+using testing::nth;
+using testing::Oracle;
+using testing::Points;
+using testing::ring;
+using testing::Row;
+using testing::scaled;
+
+/// What the ASVs cover together, by very short chords.
+double way(const Chain& chain, const Rows& rows) {
+    const std::size_t d = chain.dimension();
+    double sum = 0;
+    for (std::size_t i = 1; i < rows.size() / d; ++i) {
+        const auto from = nth(rows, d, i - 1), to = nth(rows, d, i);
+        Points before = testing::positions_of(chain, from);
+        for (int k = 1; k <= 100; ++k) {
+            const Points after = testing::positions_of(chain, between(from, to, k / 100.0));
+            for (std::size_t j = 0; j < after.size(); ++j)
+                sum += std::hypot(after[j].x - before[j].x, after[j].y - before[j].y);
+            before = after;
+        }
+    }
+    return sum;
+}
+
+/// A world with a path that wanders about in it.
+struct Wanderer {
+    Wanderer(Rng& rng, std::size_t n, int legs)
+        : world(cluttered(rng, n), Anchor::centroid),
+          checker(world.make_checker()),
+          steering(checker, world.metric, {}),
+          path(world.start) {
+        ShapeSampler sampler(checker);
+        const std::size_t d = path.size();
+        for (int leg = 0; leg < legs; ++leg) {
+            const Row from(path.end() - static_cast<std::ptrdiff_t>(d), path.end());
+            Row to(from);
+            if (!sampler.sample(rng, to)) continue;
+            unwrap(to, from, d > 2 ? std::optional<std::size_t>(2) : std::nullopt);
+            steering.slide(from, to, path);
+        }
+    }
+
+    static Problem cluttered(Rng& rng, std::size_t n) {
+        Problem problem = testing::problem(ring(n, {0.2, 0.2}, 1), ring(n, {0.8, 0.8}, 2));
+        problem.obstacles = testing::clutter(rng, 15, 0.08, problem);
+        return problem;
+    }
+
+    void expect_same_ends(const Rows& better) const {
+        const std::size_t d = world.chain.dimension();
+        ASSERT_GE(better.size(), d);
+        for (std::size_t i = 0; i < d; ++i) {
+            ASSERT_EQ(better[i], path[i]);
+            ASSERT_EQ(better[better.size() - d + i], path[path.size() - d + i]);
+        }
+    }
+
+    BroomWorld world;
+    MotionChecker checker;
+    SlideSteering steering;
+    Rows path;
+};
+
+TEST(MotionCost, IsTheWayOfAllAsvs) {
+    for_seeds(30, [](Rng& rng) {
+        const Chain chain(1 + rng.below(10), 0.05, Anchor::first_asv);
+        Rows rows;
+        for (std::size_t i = 0; i < 3 * chain.dimension(); ++i) rows.push_back(rng.uniform(-2, 2));
+        const double expected = way(chain, rows);
+        ASSERT_NEAR(MotionCost(chain).path(rows), expected, 2e-3 * expected);
+    });
+}
+
+TEST(MotionCost, KnownMotions) {
+    const Chain point(1, 0.05, Anchor::centroid), pair(2, 0.05, Anchor::first_asv);
+    EXPECT_DOUBLE_EQ(MotionCost(point)(Row{0, 0}, Row{3, 4}), 5);
+    EXPECT_DOUBLE_EQ(MotionCost(pair)(Row{0, 0, 1}, Row{3, 4, 1}), 10);
+    EXPECT_NEAR(MotionCost(pair)(Row{0, 0, 0}, Row{0, 0, 2}), 0.1, 1e-4);
+}
+
+TEST(Cost, IsTheSumOfAllMoves) {
+    Path path(2);
+    EXPECT_EQ(cost(path), 0);
+    path.push_back(Points{{0, 0}, {1, 0}});
+    EXPECT_EQ(cost(path), 0);
+    path.push_back(Points{{3, 4}, {1, 0}});
+    path.push_back(Points{{3, 4}, {1, 2}});
+    EXPECT_EQ(cost(path), 7);
+}
+
+TEST(Cost, LosesNothingOverAMillionSteps) {
+    Path path(1);
+    for (int i = 0; i <= 1'000'000; ++i) path.push_back(Points{{i % 2 == 0 ? 0.0 : 0.1, 0}});
+    EXPECT_DOUBLE_EQ(cost(path), 1e5);
+}
+
+TEST(Shortcutter, DetoursThatCostMoreAreNotTaken) {
+    const Chain point(1, 0.05, Anchor::centroid);
+    const Rows bend{0, 0, 1, 0, 1, 1};
+    Shortcutter shortcutter(point, bend);
+    const Bridge detour = [](auto, auto to, Rows& rows) {
+        rows = {-1, -1, to[0], to[1]};
+        return true;
+    };
+    const Bridge none = [](auto, auto, Rows&) { return false; };
+    Rng rng(1);
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_FALSE(shortcutter.attempt(detour, 1, rng));
+        EXPECT_FALSE(shortcutter.attempt(none, 1, rng));
+    }
+    EXPECT_EQ(shortcutter.path(), bend);
+}
+
+TEST(Improve, CostNeverGrowsAndThePathStaysValid) {
+    std::size_t gains = 0;
+    for_seeds(scaled(15), [&](Rng& rng) {
+        const std::size_t sizes[] = {1, 3, 7, 15};
+        Wanderer wanderer(rng, sizes[rng.below(4)], 4);
+        double last = MotionCost(wanderer.world.chain).path(wanderer.path);
+        const Rows better = improve(wanderer.path, wanderer.checker, wanderer.world.metric,
+                                    wanderer.steering, {}, 2e5, {}, rng, [&](double found) {
+                                        EXPECT_LT(found, last);
+                                        last = found;
+                                        ++gains;
+                                    });
+        EXPECT_NEAR(MotionCost(wanderer.world.chain).path(better), last, 1e-9);
+        wanderer.expect_same_ends(better);
+        Oracle(wanderer.world).expect_valid_path(better);
+    });
+    EXPECT_GE(gains, 10U);
+}
+
+TEST(Improve, SameSeedSamePath) {
+    const auto improved = [](std::uint64_t seed) {
+        Rng made(3), rng(seed);
+        Wanderer wanderer(made, 7, 4);
+        return improve(wanderer.path, wanderer.checker, wanderer.world.metric, wanderer.steering,
+                       {}, 1e5, {}, rng);
+    };
+    EXPECT_EQ(improved(1), improved(1));
+    EXPECT_NE(improved(1), improved(2));
+}
+
+TEST(Improve, EndsWhenItHasTo) {
+    Rng rng(3);
+    Wanderer wanderer(rng, 7, 4);
+    EXPECT_EQ(improve(wanderer.path, wanderer.checker, wanderer.world.metric, wanderer.steering, {},
+                      0, {}, rng),
+              wanderer.path);
+    Limits expired;
+    expired.deadline = Clock::now();
+    EXPECT_EQ(improve(wanderer.path, wanderer.checker, wanderer.world.metric, wanderer.steering, {},
+                      1e9, expired, rng),
+              wanderer.path);
+    std::stop_source source;
+    Limits stopped;
+    stopped.stop = source.get_token();
+    source.request_stop();
+    EXPECT_EQ(improve(wanderer.path, wanderer.checker, wanderer.world.metric, wanderer.steering, {},
+                      1e9, stopped, rng),
+              wanderer.path);
+}
+
+TEST(Improve, APathThatStaysWhereItIs) {
+    Rng rng(1);
+    Wanderer wanderer(rng, 3, 0);
+    EXPECT_EQ(improve(wanderer.path, wanderer.checker, wanderer.world.metric, wanderer.steering, {},
+                      1e4, {}, rng),
+              wanderer.path);
+    Rows twice(wanderer.path);
+    twice.insert(twice.end(), wanderer.path.begin(), wanderer.path.end());
+    EXPECT_EQ(improve(twice, wanderer.checker, wanderer.world.metric, wanderer.steering, {}, 1e4,
+                      {}, rng),
+              twice);
+}
+
+}  // namespace
+}  // namespace asv::core

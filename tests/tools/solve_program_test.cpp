@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "../io/temporary_folder.hpp"
+#include "run_program.hpp"
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "asv/core/solve.hpp"
+#include "asv/core/validate.hpp"
+#include "asv/io/atomic_file.hpp"
+#include "asv/io/problem_file.hpp"
+#include "asv/io/solution_file.hpp"
+
+/// What a user of asv-solve sees, and that every problem of ours is solved.
+
+namespace asv::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string testcase(const std::string& name) {
+    return std::string(ASV_SOURCE_DIR) + "/testcases/" + name + ".txt";
+}
+
+Outcome solve(const std::string& problem, const std::string& solution, const Words& options = {}) {
+    Words arguments{problem, solution, "--threads", "1", "--quiet"};
+    if (std::find(options.begin(), options.end(), "--optimize") == options.end())
+        arguments.insert(arguments.end(), {"--optimize", "0"});
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_program("asv-solve", arguments);
+}
+
+Words solvable_testcases() {
+    Words names;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(ASV_SOURCE_DIR) + "/testcases"))
+        if (entry.path().extension() == ".txt") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+/// GoogleTest wants names of letters and digits.
+std::string identifier(const testing::TestParamInfo<std::string>& tested) {
+    std::string name;
+    for (const char c : tested.param) name += std::isalnum(c) != 0 ? c : '_';
+    return name;
+}
+
+class EverySolvableTestCase : public testing::TestWithParam<std::string> {};
+
+TEST_P(EverySolvableTestCase, IsSolvedWithAContinuouslyValidPath) {
+    const TemporaryFolder folder;
+    const std::string solution = (folder / "s").string();
+    for (const std::string seed : {"1", "2", "3"}) {
+        const Outcome outcome = solve(testcase(GetParam()), solution, {"--seed", seed});
+        ASSERT_EQ(outcome.exit_code, 0) << "seed " << seed << ": " << outcome.err;
+        const auto problem = io::read_problem(testcase(GetParam())).problem;
+        const auto path = io::read_solution(solution, problem.asv_count());
+        EXPECT_TRUE(core::validate(problem, path, {.continuous = true}).valid()) << "seed " << seed;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ours, EverySolvableTestCase, testing::ValuesIn(solvable_testcases()),
+                         identifier);
+
+/// The bidirectional RRT for ASVs with all of its parts, on what it solves in time.
+class MethodA : public testing::TestWithParam<std::string> {};
+
+TEST_P(MethodA, SolvesIt) {
+    const TemporaryFolder folder;
+    const std::string solution = (folder / "s").string();
+    const Outcome outcome = solve(testcase(GetParam()), solution, {"--planner", "rrt-connect"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome verdict =
+        run_program("asv-validate", {testcase(GetParam()), solution, "--continuous"});
+    EXPECT_EQ(verdict.exit_code, 0) << verdict.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(Ours, MethodA,
+                         testing::Values("3ASV", "3ASV-x4", "7ASV-x6", "3ASV-clutter-20"),
+                         identifier);
+
+TEST(SolveProgram, SameSeedSameBytesOtherSeedOtherPath) {
+    const TemporaryFolder folder;
+    const auto bytes = [&](const std::string& seed, const std::string& name) {
+        const std::string file = (folder / name).string();
+        EXPECT_EQ(
+            solve(testcase("7ASV-x6"), file, {"--seed", seed, "--optimize", "0.05"}).exit_code, 0);
+        return io::read_file(file);
+    };
+    const std::string first = bytes("5", "a");
+    EXPECT_EQ(first, bytes("5", "b"));
+    EXPECT_NE(first, bytes("6", "c"));
+}
+
+TEST(SolveProgram, ReversedPlanStillLeadsFromStartToGoal) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "s").string();
+    ASSERT_EQ(solve(testcase("3ASV"), file, {"--reverse"}).exit_code, 0);
+    EXPECT_EQ(run_program("asv-validate", {testcase("3ASV"), file}).exit_code, 0);
+}
+
+TEST(SolveProgram, StatisticsAndTreesAgreeWithTheSolution) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "s").string(), stats = (folder / "j").string(),
+                      trees = (folder / "t").string();
+    ASSERT_EQ(solve(testcase("3ASV"), file, {"--stats", stats, "--trees", trees}).exit_code, 0);
+    const auto json = nlohmann::json::parse(io::read_file(stats));
+    const auto solution = io::read_solution(file, 3);
+    EXPECT_EQ(json["problem"], "3ASV.txt");
+    EXPECT_EQ(json["status"], "solved");
+    EXPECT_EQ(json["asv_count"], 3);
+    EXPECT_EQ(json["primitive_steps"], solution.path.size() - 1);
+    EXPECT_NEAR(json["cost"].get<double>(), solution.cost, 1e-9);
+    EXPECT_LE(json["cost_lower_bound"].get<double>(), solution.cost);
+    EXPECT_GT(json["cost_lower_bound"].get<double>(), 0);
+    const auto drawn = nlohmann::json::parse(io::read_file(trees));
+    for (const std::size_t side : {0U, 1U})
+        EXPECT_EQ(drawn["trees"][side]["points"].size(), json["tree_nodes"][side]);
+}
+
+class EveryInfeasibleTestCase : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryInfeasibleTestCase, IsRefusedWithAReasonAndNoFile) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        run_program("asv-solve", {testcase("infeasible/" + GetParam()), (folder / "s").string()});
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_NE(outcome.err.find("infeasible"), std::string::npos) << outcome.err;
+    EXPECT_EQ(folder.entries(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ours, EveryInfeasibleTestCase,
+                         testing::Values("enclosed-goal", "enclosed-start", "opposite-orientation",
+                                         "two-asvs", "wall-across"),
+                         identifier);
+
+TEST(SolveProgram, ASinglePointGoesRoundTheObstacle) {
+    const TemporaryFolder folder;
+    const std::string problem = (folder / "p").string(), file = (folder / "s").string();
+    io::write_file(problem, "1\n0.1 0.1\n0.9 0.1\n1\n0.4 0 0.6 0 0.6 0.5 0.4 0.5\n");
+    ASSERT_EQ(solve(problem, file).exit_code, 0);
+    const auto solution = io::read_solution(file, 1);
+    for (std::size_t i = 0; i < solution.path.size(); ++i) {
+        const auto at = solution.path.state(i)[0];
+        EXPECT_FALSE(at.x > 0.4 && at.x < 0.6 && at.y < 0.5) << "state " << i;
+    }
+    // Up to one corner, along the top, down from the other.
+    EXPECT_NEAR(solution.cost, 0.2 + 2 * 0.5, 0.02);
+}
+
+TEST(SolveProgram, WrongUsageNamesWhatThereIs) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "s").string();
+    const Outcome planner = solve(testcase("3ASV"), file, {"--planner", "magic"});
+    EXPECT_EQ(planner.exit_code, 2);
+    EXPECT_NE(planner.err.find("rrt-connect"), std::string::npos) << planner.err;
+    const Outcome unknown = solve(testcase("3ASV"), file, {"--set", "magic=1"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_NE(unknown.err.find("pull-share"), std::string::npos) << unknown.err;
+    const Outcome range = solve(testcase("3ASV"), file, {"--set", "pull-share=2"});
+    EXPECT_EQ(range.exit_code, 2);
+    EXPECT_NE(range.err.find("from 0 to 1"), std::string::npos) << range.err;
+    EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(SolveProgram, InvalidStartIsNamedWithItsLine) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        solve(testcase("invalid/start-broom-crosses-obstacle"), (folder / "s").string());
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_NE(outcome.err.find(".txt:2: start is not valid: broom"), std::string::npos)
+        << outcome.err;
+}
+
+}  // namespace
+}  // namespace asv::test
