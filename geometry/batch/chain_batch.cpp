@@ -100,6 +100,13 @@ ChainBatch::ChainBatch(std::size_t links, const ChainLimits& limits, const BoxIn
     const double size = 1 + largest + static_cast<double>(links) * limits.link;
     scratch_.slack = static_cast<float>(0x1p-19 * largest);
     scratch_.rounding = 0x1p-44 * size * size;
+    const auto& tree = boxes.tree();
+    if (tree.order.size() > detail::few_boxes) return;
+    for (std::size_t i = 0; i < tree.order.size(); ++i) {
+        const auto& node = tree.nodes[i / geometry::detail::WideNode::width];
+        scratch_.few.push_back(
+            detail::grown(node, i % geometry::detail::WideNode::width, scratch_.slack));
+    }
 }
 
 LaneMask ChainBatch::valid(std::span<const Pack> rows) {

@@ -8,89 +8,16 @@
 
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include <hwy/highway.h>
 
 #include "asv/geometry/batch/chain_batch.hpp"
+#include "asv/geometry/batch/chain_source-inl.hpp"
 #include "asv/geometry/batch/sin_cos-inl.hpp"
 #include "asv/geometry/batch/swept_link.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace asv::geometry::batch::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Double8 = hn::CappedTag<double, lanes>;
-using Doubles = hn::Vec<Double8>;
-
-HWY_INLINE Doubles set(double value) {
-    return hn::Set(Double8(), value);
-}
-HWY_INLINE Doubles load(const Pack& pack, std::size_t i) {
-    return hn::Load(Double8(), pack.lane.data() + i);
-}
-HWY_INLINE void store(Doubles value, Pack& pack, std::size_t i) {
-    hn::Store(value, Double8(), pack.lane.data() + i);
-}
-HWY_INLINE void store(Doubles value, detail::SweptLink::Row& row, std::size_t i) {
-    const hn::Rebind<float, Double8> d;
-    hn::Store(hn::DemoteTo(d, value), d, row.data() + i);
-}
-HWY_INLINE std::uint32_t to_bits(hn::Mask<Double8> mask) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(Double8(), mask, bits);
-    return bits[0];
-}
-HWY_INLINE Doubles cross(Doubles ax, Doubles ay, Doubles bx, Doubles by) {
-    return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
-}
-HWY_INLINE Doubles dot(Doubles ax, Doubles ay, Doubles bx, Doubles by) {
-    return hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by));
-}
-HWY_INLINE Doubles length(Doubles x, Doubles y) {
-    return hn::Sqrt(dot(x, y, x, y));
-}
-
-/// Eight configurations as the caller wrote them.
-struct Resting {
-    static constexpr bool moving = false;
-    std::span<const Pack> rows;
-
-    HWY_INLINE Doubles at(std::size_t row, std::size_t i) const { return load(rows[row], i); }
-    HWY_INLINE Doubles change(std::size_t, std::size_t) const { return set(0); }
-};
-
-struct Moving {
-    static constexpr bool moving = true;
-    const Stretches& line;
-
-    HWY_INLINE Doubles at(std::size_t row, std::size_t i) const {
-        return hn::Add(set(line.from[row]), hn::Mul(load(line.middle, i), set(line.step[row])));
-    }
-    /// From the middle of the stretch to its end.
-    HWY_INLINE Doubles change(std::size_t row, std::size_t i) const {
-        return hn::Mul(load(line.half_length, i), set(line.step[row]));
-    }
-};
-
-/// The smallest box round some points, for every lane.
-struct Region {
-    Doubles low_x, low_y, high_x, high_y;
-
-    HWY_INLINE void include(const Region& other) {
-        low_x = hn::Min(low_x, other.low_x);
-        low_y = hn::Min(low_y, other.low_y);
-        high_x = hn::Max(high_x, other.high_x);
-        high_y = hn::Max(high_y, other.high_y);
-    }
-
-    /// How far it stays from the sides of a box that holds it.
-    HWY_INLINE Doubles room_in(const Box& box) const {
-        return hn::Min(hn::Min(hn::Sub(low_x, set(box.low.x)), hn::Sub(low_y, set(box.low.y))),
-                       hn::Min(hn::Sub(set(box.high.x), high_x), hn::Sub(set(box.high.y), high_y)));
-    }
-};
 
 /// Walks along the chains in one vector of lanes. What concerns the stretch round a configuration
 /// is not computed where the source rests.
@@ -107,7 +34,18 @@ class ChainWalk {
   public:
     HWY_INLINE ChainWalk(const ChainLimits& limits, const Source& source,
                          detail::ChainScratch& scratch, std::size_t lane)
-        : limits_(limits), source_(source), scratch_(scratch), i_(lane) {}
+        : limits_(limits),
+          source_(source),
+          scratch_(scratch),
+          i_(lane),
+          count_(scratch.links.size()),
+          least_turn_(limits.least_turn.data()),
+          lever_(limits.anchor_lever.empty() ? nullptr : limits.anchor_lever.data()),
+          point_x_(scratch.x.data()),
+          point_y_(scratch.y.data()),
+          direction_x_(scratch.direction_x.data()),
+          direction_y_(scratch.direction_y.data()),
+          link_(scratch.links.data()) {}
 
     /// Fills these lanes of the scratch rows; bits from 0 on tell which of them keep all limits but
     /// those that boxes set.
@@ -134,27 +72,27 @@ class ChainWalk {
     HWY_INLINE void walk_headings() {
         Doubles heading = source_.at(2, i_);
         last_change_ = source_.change(2, i_);
-        for (std::size_t k = 0; k < scratch_.links.size(); ++k) {
+        for (std::size_t k = 0; k < count_; ++k) {
             const Doubles next = source_.at(2 + k, i_);
             const Doubles change = source_.change(2 + k, i_);
             if (k > 0) {
                 const Doubles turn = hn::Sub(next, heading);
                 const Doubles loss = hn::Abs(hn::Sub(change, last_change_));
-                keep(hn::Sub(turn, set(limits_.least_turn[k - 1])), loss);
+                keep(hn::Sub(turn, set(least_turn_[k - 1])), loss);
                 keep(hn::Sub(set(limits_.greatest_turn), turn), loss);
             }
             heading = next;
             last_change_ = change;
             Doubles sine, cosine;
             sin_cos(Double8(), heading, sine, cosine);
-            store(cosine, scratch_.direction_x[k], i_);
-            store(sine, scratch_.direction_y[k], i_);
+            store(cosine, direction_x_[k], i_);
+            store(sine, direction_y_[k], i_);
             if (moving) {
                 sum_ = hn::Add(sum_, change);
                 sum_of_squares_ = hn::Add(sum_of_squares_, hn::Mul(change, change));
             }
-            if (!limits_.anchor_lever.empty()) {
-                const double lever = limits_.anchor_lever[k];
+            if (lever_ != nullptr) {
+                const double lever = lever_[k];
                 advance(limits_.link * lever, std::fabs(lever), cosine, sine, change);
             }
         }
@@ -179,8 +117,8 @@ class ChainWalk {
 
     /// What lies ahead of link k follows it by 1 more than what lies behind.
     HWY_INLINE double lever_growth(std::size_t k) const {
-        if (!moving || limits_.anchor_lever.empty()) return 1;
-        const double lever = limits_.anchor_lever[k];
+        if (!moving || lever_ == nullptr) return 1;
+        const double lever = lever_[k];
         return std::fabs(1 + lever) - std::fabs(lever);
     }
 
@@ -192,9 +130,9 @@ class ChainWalk {
         store_point(0);
         Region start = whole_ = region();
         middle_ = {x_, y_, x_, y_};
-        for (std::size_t k = 0; k < scratch_.links.size(); ++k) {
-            const Doubles cosine = load(scratch_.direction_x[k], i_);
-            const Doubles sine = load(scratch_.direction_y[k], i_);
+        for (std::size_t k = 0; k < count_; ++k) {
+            const Doubles cosine = load(direction_x_[k], i_);
+            const Doubles sine = load(direction_y_[k], i_);
             const Doubles change = source_.change(2 + k, i_);
             if (k > 0) add_area(cosine, sine, change);
             const Doubles offset = cross(cosine, sine, x_, y_);
@@ -205,12 +143,12 @@ class ChainWalk {
             whole_.include(end);
             if (moving) middle_.include({x_, y_, x_, y_});
             start.include(end);
-            store_region(start, scratch_.links[k]);
-            store(hn::Neg(sine), scratch_.links[k].normal_x, i_);
-            store(cosine, scratch_.links[k].normal_y, i_);
-            store(offset, scratch_.links[k].offset, i_);
+            store_region(start, link_[k]);
+            store(hn::Neg(sine), link_[k].normal_x, i_);
+            store(cosine, link_[k].normal_y, i_);
+            store(offset, link_[k].offset, i_);
             if (moving) {
-                store(hn::Max(reach, reach_across(cosine, sine)), scratch_.links[k].reach, i_);
+                store(hn::Max(reach, reach_across(cosine, sine)), link_[k].reach, i_);
             }
             start = end;
         }
@@ -232,8 +170,8 @@ class ChainWalk {
     }
 
     HWY_INLINE void store_point(std::size_t k) {
-        store(x_, scratch_.x[k], i_);
-        store(y_, scratch_.y[k], i_);
+        store(x_, point_x_[k], i_);
+        store(y_, point_y_[k], i_);
     }
     HWY_INLINE void store_region(const Region& region, detail::SweptLink& link) {
         store(region.low_x, link.low_x, i_);
@@ -257,17 +195,17 @@ class ChainWalk {
 
     /// The sum over all links of (change - change_k)^2.
     HWY_INLINE Doubles spread(Doubles change) const {
-        const Doubles links = set(static_cast<double>(scratch_.links.size()));
+        const Doubles links = set(static_cast<double>(count_));
         const Doubles mixed = hn::Sub(hn::Mul(links, change), hn::Mul(set(2), sum_));
         return hn::Add(hn::Mul(change, mixed), sum_of_squares_);
     }
 
     HWY_INLINE void keep_shape() {
-        const std::size_t last = scratch_.links.size() - 1;
-        const Doubles cosine = load(scratch_.direction_x[last], i_);
-        const Doubles sine = load(scratch_.direction_y[last], i_);
-        const Doubles first_cosine = load(scratch_.direction_x[0], i_);
-        const Doubles first_sine = load(scratch_.direction_y[0], i_);
+        const std::size_t last = count_ - 1;
+        const Doubles cosine = load(direction_x_[last], i_);
+        const Doubles sine = load(direction_y_[last], i_);
+        const Doubles first_cosine = load(direction_x_[0], i_);
+        const Doubles first_sine = load(direction_y_[0], i_);
         const Doubles first_change = source_.change(2, i_);
         const Doubles x = hn::Sub(first_x_, x_);
         const Doubles y = hn::Sub(first_y_, y_);
@@ -300,6 +238,15 @@ class ChainWalk {
     const Source& source_;
     detail::ChainScratch& scratch_;
     const std::size_t i_;
+    // Copies of what the loops use, as vector stores may alias all that is behind a reference.
+    const std::size_t count_;
+    const double* const least_turn_;
+    const double* const lever_;  ///< null for zeros
+    Pack* const point_x_;
+    Pack* const point_y_;
+    Pack* const direction_x_;
+    Pack* const direction_y_;
+    detail::SweptLink* const link_;
 
     Doubles room_ = set(std::numeric_limits<double>::infinity());
     Doubles stretch_room_ = room_;

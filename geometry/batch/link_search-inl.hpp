@@ -20,6 +20,7 @@ namespace asv::geometry::batch::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 namespace query = geometry::detail::HWY_NAMESPACE;
+using detail::GrownBox;
 using detail::SweptLink;
 using geometry::detail::BoxQuery;
 using geometry::detail::BoxTree;
@@ -27,19 +28,8 @@ using geometry::detail::WideNode;
 using query::Float8;
 using query::Floats;
 
-/// One box of a node, grown by the slack of the comparison.
-struct Target {
-    float low_x, low_y, high_x, high_y, slack;
-
-    HWY_INLINE Target(const WideNode& node, std::size_t lane, float margin)
-        : low_x(node.side[WideNode::low_x][lane] - margin),
-          low_y(node.side[WideNode::low_y][lane] - margin),
-          high_x(node.side[WideNode::high_x][lane] + margin),
-          high_y(node.side[WideNode::high_y][lane] + margin),
-          slack(margin) {}
-};
-
-HWY_INLINE hn::Mask<Float8> regions_apart(const SweptLink& link, const Target& box, std::size_t i) {
+HWY_INLINE hn::Mask<Float8> regions_apart(const SweptLink& link, const GrownBox& box,
+                                          std::size_t i) {
     const Float8 d;
     return hn::Or(hn::Or(hn::Gt(hn::Load(d, link.low_x.data() + i), hn::Set(d, box.high_x)),
                          hn::Lt(hn::Load(d, link.high_x.data() + i), hn::Set(d, box.low_x))),
@@ -49,12 +39,10 @@ HWY_INLINE hn::Mask<Float8> regions_apart(const SweptLink& link, const Target& b
 
 /// Bit l: some of the links may meet the box in lane l.
 template <bool moving>
-HWY_INLINE LaneMask hits(std::span<const SweptLink> links, const Target& box) {
+HWY_INLINE LaneMask hits(std::span<const SweptLink> links, const GrownBox& box, float slack) {
     const Float8 d;
-    const auto center_x = hn::Set(d, 0.5F * (box.low_x + box.high_x));
-    const auto center_y = hn::Set(d, 0.5F * (box.low_y + box.high_y));
-    const auto half_x = hn::Set(d, 0.5F * (box.high_x - box.low_x));
-    const auto half_y = hn::Set(d, 0.5F * (box.high_y - box.low_y));
+    const auto centre_x = hn::Set(d, box.centre_x), centre_y = hn::Set(d, box.centre_y);
+    const auto half_x = hn::Set(d, box.half_x), half_y = hn::Set(d, box.half_y);
     LaneMask bits = 0;
     for (std::size_t i = 0; i < lanes; i += hn::Lanes(d)) {
         auto all_apart = hn::FirstN(d, lanes);
@@ -62,8 +50,8 @@ HWY_INLINE LaneMask hits(std::span<const SweptLink> links, const Target& box) {
             const auto x = hn::Load(d, link.normal_x.data() + i);
             const auto y = hn::Load(d, link.normal_y.data() + i);
             const auto offset = hn::Load(d, link.offset.data() + i);
-            const auto between = hn::MulAdd(y, center_y, hn::MulSub(x, center_x, offset));
-            auto most = hn::Set(d, box.slack);
+            const auto between = hn::MulAdd(y, centre_y, hn::MulSub(x, centre_x, offset));
+            auto most = hn::Set(d, slack);
             if (moving) most = hn::Add(most, hn::Load(d, link.reach.data() + i));
             most = hn::MulAdd(hn::Abs(y), half_y, hn::MulAdd(hn::Abs(x), half_x, most));
             const auto apart = hn::Or(regions_apart(link, box, i), hn::Gt(hn::Abs(between), most));
@@ -75,7 +63,7 @@ HWY_INLINE LaneMask hits(std::span<const SweptLink> links, const Target& box) {
 }
 
 /// Bit l: the region in lane l may meet the box.
-HWY_INLINE LaneMask region_hits(const SweptLink& region, const Target& box) {
+HWY_INLINE LaneMask region_hits(const SweptLink& region, const GrownBox& box) {
     const Float8 d;
     LaneMask bits = 0;
     for (std::size_t i = 0; i < lanes; i += hn::Lanes(d)) {
@@ -84,18 +72,42 @@ HWY_INLINE LaneMask region_hits(const SweptLink& region, const Target& box) {
     return bits;
 }
 
-/// The smallest region that holds those of the lanes that are asked for.
-inline BoxQuery joint_query(const SweptLink& link, LaneMask of, float slack) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    BoxQuery joint{infinity, infinity, -infinity, -infinity, 0, 0, -infinity, infinity};
-    for (std::size_t i = 0; i < lanes; ++i) {
-        if ((of >> i & 1) == 0) continue;
-        joint.low_x = std::min(joint.low_x, link.low_x[i] - slack);
-        joint.low_y = std::min(joint.low_y, link.low_y[i] - slack);
-        joint.high_x = std::max(joint.high_x, link.high_x[i] + slack);
-        joint.high_y = std::max(joint.high_y, link.high_y[i] + slack);
+/// The least number of a row among the lanes that are asked for, infinity if there are none.
+HWY_INLINE float least(const SweptLink::Row& row, LaneMask of) {
+    const Float8 d;
+    const auto infinity = hn::Set(d, std::numeric_limits<float>::infinity());
+    auto least = infinity;
+    for (std::size_t i = 0; i < lanes; i += hn::Lanes(d)) {
+        const std::uint8_t bits[8] = {static_cast<std::uint8_t>(of >> i)};
+        const auto values = hn::Load(d, row.data() + i);
+        least = hn::Min(least, hn::IfThenElse(hn::LoadMaskBits(d, bits), values, infinity));
     }
-    return joint;
+    return hn::GetLane(hn::MinOfLanes(d, least));
+}
+
+HWY_INLINE float greatest(const SweptLink::Row& row, LaneMask of) {
+    const Float8 d;
+    const auto lowest = hn::Set(d, -std::numeric_limits<float>::infinity());
+    auto greatest = lowest;
+    for (std::size_t i = 0; i < lanes; i += hn::Lanes(d)) {
+        const std::uint8_t bits[8] = {static_cast<std::uint8_t>(of >> i)};
+        const auto values = hn::Load(d, row.data() + i);
+        greatest = hn::Max(greatest, hn::IfThenElse(hn::LoadMaskBits(d, bits), values, lowest));
+    }
+    return hn::GetLane(hn::MaxOfLanes(d, greatest));
+}
+
+/// The smallest region that holds those of the lanes that are asked for.
+HWY_INLINE BoxQuery joint_query(const SweptLink& link, LaneMask of, float slack) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    return {least(link.low_x, of) - slack,
+            least(link.low_y, of) - slack,
+            greatest(link.high_x, of) + slack,
+            greatest(link.high_y, of) + slack,
+            0,
+            0,
+            -infinity,
+            infinity};
 }
 
 inline BoxQuery lane_query(const SweptLink& link, std::size_t i, bool moving, float slack) {
@@ -105,18 +117,15 @@ inline BoxQuery lane_query(const SweptLink& link, std::size_t i, bool moving, fl
             link.offset[i] - reach, link.offset[i] + reach};
 }
 
-/// Do the lanes' regions cover each other so well that one search may serve them all?
+/// Do the lanes' regions cover each other so well that one search should serve them all?
 inline bool close_together(const SweptLink& link, const BoxQuery& joint, LaneMask of) {
     float sum = 0;
     for (std::size_t i = 0; i < lanes; ++i) {
         if ((of >> i & 1) == 0) continue;
         sum += link.high_x[i] - link.low_x[i] + link.high_y[i] - link.low_y[i];
     }
-    return joint.high_x - joint.low_x + joint.high_y - joint.low_y <= sum;
+    return 2 * (joint.high_x - joint.low_x + joint.high_y - joint.low_y) <= sum;
 }
-
-/// Up to here every box that comes near one of eight chains is compared with all their links.
-inline constexpr std::size_t few_boxes = 256;
 
 /// Where links of eight chains may meet boxes. on_hit(box, lanes, first link, number of links) is
 /// called wherever one of these links may meet the box in one of these lanes, and clears lanes from
@@ -129,35 +138,45 @@ class LinkSearch {
         : scratch_(scratch), tree_(tree), alive_(alive), on_hit_(on_hit) {}
 
     HWY_INLINE void search() {
-        if (alive_ == 0) return;
-        if (tree_.order.size() <= few_boxes) {
-            search_jointly(joint_query(scratch_.whole, alive_, scratch_.slack), 0,
-                           scratch_.links.size());
+        if (tree_.order.size() <= detail::few_boxes) {
+            search_few();
             return;
         }
         for (std::size_t k = 0; k < scratch_.links.size() && alive_ != 0; ++k) {
-            const BoxQuery joint = joint_query(scratch_.links[k], alive_, scratch_.slack);
-            if (close_together(scratch_.links[k], joint, alive_)) {
-                search_jointly(joint, k, 1);
-            } else {
-                search_lanes(k);
-            }
+            if (!search_jointly(scratch_.links[k], k, 1)) search_lanes(k);
         }
     }
 
   private:
-    /// All boxes near any of the lanes are compared with all of them.
-    HWY_INLINE void search_jointly(const BoxQuery& joint, std::size_t first, std::size_t count) {
+    HWY_INLINE void search_few() {
+        const std::size_t links = scratch_.links.size();
+        const bool worth_culling = scratch_.few.size() > WideNode::width;
+        if (worth_culling && search_jointly(scratch_.whole, 0, links)) return;
+        for (std::size_t i = 0; i < scratch_.few.size() && alive_ != 0; ++i) {
+            compare(scratch_.few[i], tree_.order[i], 0, links);
+        }
+    }
+
+    HWY_INLINE void compare(const GrownBox& box, std::uint32_t index, std::size_t first,
+                            std::size_t count) {
+        if (count > 1 && (region_hits(scratch_.whole, box) & alive_) == 0) return;
+        const auto links = std::span(scratch_.links).subspan(first, count);
+        const LaneMask bits = hits<moving>(links, box, scratch_.slack) & alive_;
+        if (bits != 0) on_hit_(index, bits, first, count);
+    }
+
+    /// Where the lanes' regions cover each other well, compares all boxes near any of them with all
+    /// lanes. Returns whether it did.
+    HWY_INLINE bool search_jointly(const SweptLink& region, std::size_t first, std::size_t count) {
+        const BoxQuery joint = joint_query(region, alive_, scratch_.slack);
+        if (!close_together(region, joint, alive_)) return false;
         query::for_each_candidate(
             tree_, std::span(&joint, 1), [&](std::uint32_t) { return alive_ == 0; },
             [&](const WideNode& node, std::uint32_t lane, std::uint32_t, std::uint32_t box)
                 HWY_ATTR {
-                    const Target target(node, lane, scratch_.slack);
-                    if (count > 1 && (region_hits(scratch_.whole, target) & alive_) == 0) return;
-                    const auto links = std::span(scratch_.links).subspan(first, count);
-                    const LaneMask bits = hits<moving>(links, target) & alive_;
-                    if (bits != 0) on_hit_(box, bits, first, count);
+                    compare(detail::grown(node, lane, scratch_.slack), box, first, count);
                 });
+        return true;
     }
 
     HWY_INLINE void search_lanes(std::size_t link) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "asv/geometry/batch/pack.hpp"
+#include "asv/geometry/box_tree.hpp"
 
 /// What the chain kernels pass between their stages.
 
@@ -17,14 +18,38 @@ struct alignas(64) SweptLink {
     Row low_x, low_y, high_x, high_y, normal_x, normal_y, offset, reach;
 };
 
+/// A box grown by the slack of comparing links with boxes, in single precision.
+struct GrownBox {
+    float low_x, low_y, high_x, high_y, centre_x, centre_y, half_x, half_y;
+};
+
+inline GrownBox grown(const geometry::detail::WideNode& node, std::size_t lane, float margin) {
+    const float low_x = node.side[geometry::detail::WideNode::low_x][lane] - margin;
+    const float low_y = node.side[geometry::detail::WideNode::low_y][lane] - margin;
+    const float high_x = node.side[geometry::detail::WideNode::high_x][lane] + margin;
+    const float high_y = node.side[geometry::detail::WideNode::high_y][lane] + margin;
+    return {low_x,
+            low_y,
+            high_x,
+            high_y,
+            0.5F * (low_x + high_x),
+            0.5F * (low_y + high_y),
+            0.5F * (high_x - low_x),
+            0.5F * (high_y - low_y)};
+}
+
+/// Up to here every box that comes near one of eight chains is compared with all their links.
+inline constexpr std::size_t few_boxes = 256;
+
 /// Working memory of one ChainBatch.
 struct ChainScratch {
     std::vector<Pack> x, y;                      ///< points
     std::vector<Pack> direction_x, direction_y;  ///< of the links
     std::vector<SweptLink> links;
-    SweptLink whole;      ///< regions that hold the whole chains; nothing else of it is used
-    double rounding = 0;  ///< more than any room of a stretch may be off by
-    float slack = 0;      ///< more than the comparison of a link with a box may be off by
+    SweptLink whole;            ///< regions that hold the whole chains; nothing else of it is used
+    double rounding = 0;        ///< more than any room of a stretch may be off by
+    float slack = 0;            ///< more than the comparison of a link with a box may be off by
+    std::vector<GrownBox> few;  ///< the boxes of the tree in its order, if they are few
 };
 
 /// Bits of LaneMask; certified without a motion means valid.

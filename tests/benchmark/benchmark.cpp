@@ -67,7 +67,7 @@ void run(benchmark::State& state, const Case& wanted, const Entry& entry) {
     const std::size_t most = entry.looks_at_all_boxes ? affordable / 8 * 8 : available;
     const std::size_t count = std::min(std::max<std::size_t>(most, 8), available);
     if (count == 0 || contender->count_valid(count) != count) {
-        state.SkipWithError("not all are found valid");
+        state.SkipWithError(count == 0 ? "no valid ones in this world" : "not all are found valid");
         return;
     }
     for (auto _ : state) benchmark::DoNotOptimize(contender->count_valid(count));

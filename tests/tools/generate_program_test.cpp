@@ -1,41 +1,43 @@
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "../io/temporary_folder.hpp"
+#include "run_program.hpp"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
 
 #include "asv/core/validate.hpp"
+#include "asv/io/atomic_file.hpp"
 #include "asv/io/problem_file.hpp"
 
 namespace asv {
 namespace {
 
-/// Runs asv-generate in a folder of its own and looks at what it leaves there.
+/// Runs asv-generate; files that it writes are in a folder of this test's own.
 class GenerateProgram : public testing::Test {
   protected:
-    /// The exit code; standard error is in message() afterwards.
+    /// The exit code. Arguments are separated by blanks; what follows -o is a name in the folder.
     int run(const std::string& arguments) {
-        const std::string command = "cd '" + folder_.path().string() +
-                                    "' && '" ASV_PROGRAM_DIR "/asv-generate' " + arguments +
-                                    " > output 2> message";
-        const int status = std::system(command.c_str());
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        std::istringstream words(arguments);
+        std::vector<std::string> list;
+        for (std::string word; words >> word;) {
+            const bool is_output = !list.empty() && list.back() == "-o";
+            list.push_back(is_output ? path(word).string() : word);
+        }
+        outcome_ = test::run_program("asv-generate", list);
+        return outcome_.exit_code;
     }
-    std::string text(const std::string& name) const {
-        std::ifstream file(folder_ / name, std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
-    std::string message() const { return text("message"); }
-    bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+    const std::string& output() const { return outcome_.out; }
+    const std::string& message() const { return outcome_.err; }
     std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+    std::string text(const std::string& name) const { return io::read_file(path(name)); }
+    bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
 
   private:
     test::TemporaryFolder folder_;
+    test::Outcome outcome_;
 };
 
 TEST_F(GenerateProgram, EveryFamilyWritesAValidProblemWithItsDefaults) {
@@ -50,7 +52,7 @@ TEST_F(GenerateProgram, EveryFamilyWritesAValidProblemWithItsDefaults) {
             EXPECT_TRUE(validate_state(file.problem, *end, {.tolerance = 1e-9}).valid());
         EXPECT_FALSE(exists("p.txt.json"));
         EXPECT_EQ(message(), "");
-        EXPECT_EQ(text("output"), "");
+        EXPECT_EQ(output(), "");
     }
 }
 
@@ -121,11 +123,11 @@ TEST_F(GenerateProgram, OutputThatCannotBeWrittenHasItsOwnCode) {
 
 TEST_F(GenerateProgram, HelpAndVersion) {
     EXPECT_EQ(run("--help"), 0);
-    EXPECT_NE(text("output").find("Example"), std::string::npos);
+    EXPECT_NE(output().find("Example"), std::string::npos);
     EXPECT_EQ(run("maze --help"), 0);
-    EXPECT_NE(text("output").find("--way-factor"), std::string::npos);
+    EXPECT_NE(output().find("--way-factor"), std::string::npos);
     EXPECT_EQ(run("--version"), 0);
-    EXPECT_NE(text("output").find("asv-generate "), std::string::npos);
+    EXPECT_NE(output().find("asv-generate "), std::string::npos);
 }
 
 }  // namespace
