@@ -9,8 +9,8 @@ namespace asv::core {
 
 namespace {
 
-/// A step may fall short of the limit by this share of it: what finding it better would cost.
-constexpr double shortfall = 1e-6;
+/// A step may fall short of the limit by this share of it: far above the rounding of positions.
+constexpr double shortfall = 1e-9;
 
 /// Walks along the rows; a place is a way point's index plus a fraction of the motion behind it.
 class Walk {
@@ -20,7 +20,7 @@ class Walk {
           rows_(rows),
           checker_(checker),
           chain_(checker.chain()),
-          limit_(problem.requirements.max_step * (1 - shortfall)),
+          limit_(problem.requirements.max_step),
           end_(static_cast<double>(rows.size() / chain_.dimension() - 1)),
           pose_(chain_.make_pose()),
           from_(chain_.dimension()),
@@ -80,12 +80,14 @@ class Walk {
     }
 
     /// The farthest place that one step reaches: where moved() passes the limit for the first time,
-    /// looked for from the last stride on by false position.
+    /// looked for from the last stride on by false position. It aims at the middle of the range
+    /// that is good enough, so that rounding does not keep it on one side.
     double farthest(double place, double stride) {
         double near = place, near_moved = 0;
         double far = std::min(place + stride, end_);
         double far_moved = moved(far);
-        while (far_moved <= limit_) {
+        const double longest = limit_ * (1 - shortfall / 4), least = limit_ * (1 - shortfall);
+        while (far_moved <= longest) {
             if (far >= end_) return end_;
             near = far;
             near_moved = far_moved;
@@ -93,14 +95,15 @@ class Walk {
             far = std::min(far + stride, end_);
             far_moved = moved(far);
         }
-        for (int i = 0; i < 60 && limit_ - near_moved > shortfall * limit_; ++i) {
-            double share = (limit_ - near_moved) / (far_moved - near_moved);
+        const double aim = (least + longest) / 2;
+        for (int i = 0; i < 60 && near_moved < least; ++i) {
+            double share = (aim - near_moved) / (far_moved - near_moved);
             if (i % 4 == 3) share = 0.5;
             const double middle = near + share * (far - near);
             if (middle <= near || middle >= far) break;
             const double middle_moved = moved(middle);
-            (middle_moved <= limit_ ? near : far) = middle;
-            (middle_moved <= limit_ ? near_moved : far_moved) = middle_moved;
+            (middle_moved <= longest ? near : far) = middle;
+            (middle_moved <= longest ? near_moved : far_moved) = middle_moved;
         }
         return near;
     }

@@ -57,14 +57,19 @@ bool Shortcutter::attempt(const Bridge& bridge, double most_share, Rng& rng) {
         std::copy(path_.end() - static_cast<std::ptrdiff_t>(dimension_), path_.end(), to_.begin());
     between_.clear();
     if (!bridge(from_, to_, between_)) return false;
-    double replaced = 0;
+    // Whole motions are compared, since the parts of one need not cost exactly what it costs.
+    const std::size_t next = last.after + 1;
+    const auto row_at = [&](std::size_t i) {
+        return std::span<const double>{path_.data() + i * dimension_, dimension_};
+    };
+    double renewed = motion_cost_(row_at(first.after), from_) + motion_cost_(to_, row_at(next));
     std::span<const double> previous = from_;
     for (std::size_t i = 0; i < between_.size(); i += dimension_) {
         const std::span<const double> row{between_.data() + i, dimension_};
-        replaced += motion_cost_(previous, row);
+        renewed += motion_cost_(previous, row);
         previous = row;
     }
-    if (replaced > end - std::max(begin, 0.0) - least_gain * cost()) return false;
+    if (renewed > cumulative_[next] - cumulative_[first.after] - least_gain * cost()) return false;
 
     Rows joined(path_.begin(),
                 path_.begin() + static_cast<std::ptrdiff_t>(
@@ -73,8 +78,7 @@ bool Shortcutter::attempt(const Bridge& bridge, double most_share, Rng& rng) {
     joined.insert(joined.end(), from_.begin(), from_.end());
     joined.insert(joined.end(), between_.begin(), between_.end());
     if (!to_goal)
-        joined.insert(joined.end(),
-                      path_.begin() + static_cast<std::ptrdiff_t>((last.after + 1) * dimension_),
+        joined.insert(joined.end(), path_.begin() + static_cast<std::ptrdiff_t>(next * dimension_),
                       path_.end());
     path_ = std::move(joined);
     measure();

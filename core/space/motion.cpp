@@ -18,9 +18,10 @@ constexpr double most_spacings = 2;
 /// A gap of the line that is shorter than this motion and still open counts as blocked.
 constexpr double finest_motion = 1e-7;
 
-/// Shortens reach to where g + slope s - curvature s^2 / 2 may become negative; false if g < 0.
+/// Shortens reach to where g + slope s - curvature s^2 / 2 may become negative; false if g is, or is
+/// no number.
 bool limit(double g, double slope, double curvature, double& back, double& ahead) {
-    if (g < 0) return false;
+    if (!(g >= 0)) return false;
     const double farther = std::max(back, ahead);
     if (g >= (std::abs(slope) + 0.5 * curvature * farther) * farther) return true;
     const double root = std::sqrt(slope * slope + 2 * curvature * g);

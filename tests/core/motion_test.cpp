@@ -287,6 +287,19 @@ TEST(Motion, AThousandBoxesGiveTheAnswersOfTheirParts) {
     EXPECT_GT(no, 20U);
 }
 
+TEST(Motion, WhatIsNoNumberIsNotValid) {
+    Rng rng(1);
+    Place place(rng, 3, 10, 0.1, Anchor::centroid);
+    const Row from = place.state(rng);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        Row to(from);
+        to[i] = std::nan("");
+        EXPECT_FALSE(place.checker.valid(to)) << "coordinate " << i;
+        EXPECT_FALSE(place.checker.valid(from, to)) << "coordinate " << i;
+        EXPECT_LE(place.checker.valid_prefix(from, to, 1e-3), 0) << "coordinate " << i;
+    }
+}
+
 TEST(Motion, CountsItsWork) {
     Rng rng(1);
     Place place(rng, 3, 10, 0.1, Anchor::centroid);

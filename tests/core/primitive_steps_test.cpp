@@ -36,16 +36,50 @@ double farthest(std::span<const Point> a, std::span<const Point> b) {
     return most;
 }
 
+void expect_valid(const Problem& problem, const Path& path, const ValidationOptions& options) {
+    const ValidationReport report = validate(problem, {path, cost(path)}, options);
+    for (const auto* checks : {&report.checks, &report.motion})
+        for (const CheckResult& check : *checks)
+            ASSERT_TRUE(check.ok()) << name(check.check) << ": " << describe(check);
+}
+
 void expect_steps_of(const Problem& problem, const Path& path) {
     ASSERT_TRUE(std::ranges::equal(path.state(0), problem.start));
     ASSERT_TRUE(std::ranges::equal(path.state(path.size() - 1), problem.goal));
     for (std::size_t i = 1; i < path.size(); ++i)
         ASSERT_LE(farthest(path.state(i - 1), path.state(i)), problem.requirements.max_step)
             << "step " << i;
-    const ValidationReport report = validate(problem, {path, cost(path)}, {.continuous = true});
-    for (const auto* checks : {&report.checks, &report.motion})
-        for (const CheckResult& check : *checks)
-            ASSERT_TRUE(check.ok()) << name(check.check) << ": " << describe(check);
+    expect_valid(problem, path, {.continuous = true});
+}
+
+/// The integral of the fastest ASV's speed along the rows, by chords.
+double fastest_way(const Chain& chain, const Rows& rows) {
+    const std::size_t d = chain.dimension();
+    double sum = 0;
+    for (std::size_t i = 1; i < rows.size() / d; ++i) {
+        const auto from = nth(rows, d, i - 1), to = nth(rows, d, i);
+        Points before = testing::positions_of(chain, from);
+        for (int k = 1; k <= 200; ++k) {
+            const Points after = testing::positions_of(chain, between(from, to, k / 200.0));
+            sum += farthest(before, after);
+            before = after;
+        }
+    }
+    return sum;
+}
+
+TEST(PrimitiveSteps, AStraightWayTakesNoStepTooMany) {
+    for (const std::size_t n : {1U, 3U, 7U}) {
+        const Points start = ring(n, {0.2, 0.2}, 0);
+        const Problem problem = testing::problem(start, moved(start, 0.3, 0.4));
+        const BroomWorld world(problem, Anchor::centroid);
+        Rows rows(world.start);
+        rows.insert(rows.end(), world.goal.begin(), world.goal.end());
+        const Path path = steps_of(problem, rows);
+        expect_steps_of(problem, path);
+        // 0.5 in steps that fall short of 0.001 by some millionths.
+        EXPECT_EQ(path.size(), 502U);
+    }
 }
 
 /// A path by slides among boxes, and the problem that asks for it.
@@ -90,6 +124,47 @@ TEST(PrimitiveSteps, CutACornerOnlyWhereThatIsProven) {
     };
     EXPECT_TRUE(stops_there(round_a_corner(true)));
     EXPECT_FALSE(stops_there(round_a_corner(false)));
+}
+
+TEST(PrimitiveSteps, RandomPathsBecomeFewValidSteps) {
+    for_seeds(scaled(40), [](Rng& rng) {
+        const std::size_t sizes[] = {1, 3, 5, 7, 15};
+        const std::size_t n = sizes[rng.below(5)];
+        const SlidePath made(rng, n);
+        const Path path = steps_of(made.problem, made.rows);
+        expect_steps_of(made.problem, path);
+        const Chain chain(n, 0.05, Anchor::centroid);
+        const double least = fastest_way(chain, made.rows) / 0.001;
+        const double way_points = static_cast<double>(made.rows.size() / chain.dimension());
+        EXPECT_LE(static_cast<double>(path.size() - 1), 1.0001 * least + way_points);
+    });
+}
+
+TEST(PrimitiveSteps, BeginAndEndExactlyWhereAFileSays) {
+    for_seeds(scaled(20), [](Rng& rng) {
+        SlidePath made(rng, 7);
+        for (Points* end : {&made.problem.start, &made.problem.goal})
+            for (Point& p : *end) p = {std::round(p.x * 1e6) / 1e6, std::round(p.y * 1e6) / 1e6};
+        for (const Points* end : {&made.problem.start, &made.problem.goal})
+            if (!validate_state(made.problem, *end).valid()) return;
+        const BroomWorld world(made.problem, Anchor::centroid);
+        // The rows begin and end at the ends as the planner sees them.
+        std::copy(world.start.begin(), world.start.end(), made.rows.begin());
+        Row goal(world.goal);
+        const std::size_t d = goal.size(), last = made.rows.size() / d - 1;
+        if (last < 1) return;
+        unwrap(goal, nth(made.rows, d, last), 2);
+        std::copy(goal.begin(), goal.end(), made.rows.end() - static_cast<std::ptrdiff_t>(d));
+        MotionChecker checker = world.make_checker();
+        for (std::size_t i = 1; i <= last; ++i)
+            if (!checker.valid(nth(made.rows, d, i - 1), nth(made.rows, d, i))) return;
+        const Path path = steps_of(made.problem, made.rows);
+        ASSERT_TRUE(std::ranges::equal(path.state(0), made.problem.start));
+        ASSERT_TRUE(std::ranges::equal(path.state(path.size() - 1), made.problem.goal));
+        for (std::size_t i = 1; i < path.size(); ++i)
+            ASSERT_LE(farthest(path.state(i - 1), path.state(i)), 0.001);
+        expect_valid(made.problem, path, {});
+    });
 }
 
 TEST(PrimitiveSteps, APathOfOneStateIsOneStep) {

@@ -25,7 +25,8 @@ constexpr Box unit{{0, 0}, {1, 1}};
 
 struct Field {
     Field(std::size_t n, std::vector<Box> boxes, Anchor anchor)
-        : world(testing::problem(ring(n, {0.2, 0.2}, 0), ring(n, {0.8, 0.8}, 0), std::move(boxes)),
+        : world(testing::problem(ring(n, {0.25, 0.25}, 0), ring(n, {0.75, 0.75}, 0),
+                                 std::move(boxes)),
                 anchor),
           checker(world.make_checker()),
           oracle(world) {}
@@ -36,6 +37,24 @@ struct Field {
 };
 
 const std::vector<Box> middle{{{0.45, 0.45}, {0.55, 0.55}}};
+
+TEST(ShapeSampler, SamplesAreValid) {
+    for (const std::size_t n : {1U, 3U, 4U, 7U, 15U, 25U}) {
+        SCOPED_TRACE(std::to_string(n) + " ASVs");
+        Field field(n, n < 25 ? middle : std::vector<Box>{}, Anchor::centroid);
+        ShapeSampler sampler(field.checker);
+        std::size_t found = 0;
+        for_seeds(100, [&](Rng& rng) {
+            Row row(field.world.chain.dimension());
+            if (!sampler.sample(rng, row)) return;
+            ++found;
+            ASSERT_GE(field.oracle.room(row), 0);
+            ASSERT_TRUE(field.oracle.judged_valid(row));
+        });
+        // A ring of 25 is 0.4 across: few places in the field have room for it.
+        EXPECT_GE(found, n < 25 ? 90U : 70U);
+    }
+}
 
 TEST(ShapeSampler, SamplesSpreadOverPlacesHeadingsAndShapes) {
     Field field(7, middle, Anchor::centroid);
@@ -157,6 +176,24 @@ TEST(Corridors, WideGapsAndOverlapsAreNone) {
     EXPECT_FALSE(Corridors(far, unit, 0.21).gaps().empty());
     const std::vector<Box> overlapping{{{0.3, 0.3}, {0.6, 0.6}}, {{0.5, 0.5}, {0.7, 0.7}}};
     EXPECT_TRUE(Corridors(overlapping, unit, 0.1).gaps().empty());
+}
+
+TEST(PassagePoints, LieInTheDoorFarMoreOftenThanByChance) {
+    const std::vector<Box> boxes{{{0.45, -1}, {0.55, 0.45}}, {{0.45, 0.55}, {0.55, 2}}};
+    const ObstacleField field(boxes);
+    const Box door{{0.45, 0.45}, {0.55, 0.55}};
+    std::size_t found = 0, in_door = 0;
+    for_seeds(2000, [&](Rng& rng) {
+        const auto point = passage_point(field, unit, rng);
+        if (!point) return;
+        ++found;
+        ASSERT_FALSE(field.contains(*point));
+        ASSERT_TRUE(geometry::contains(unit, *point));
+        in_door += geometry::contains(door, *point);
+    });
+    EXPECT_GE(found, 300U);
+    // The door is a hundredth of the field.
+    EXPECT_GE(in_door, found / 5);
 }
 
 TEST(PassagePoints, AnOpenFieldHasNone) {

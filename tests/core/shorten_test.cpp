@@ -111,6 +111,33 @@ TEST(Cost, LosesNothingOverAMillionSteps) {
     EXPECT_DOUBLE_EQ(cost(path), 1e5);
 }
 
+TEST(Shortcutter, KeepsEndsAndValidityAndGains) {
+    for_seeds(scaled(15), [](Rng& rng) {
+        const std::size_t sizes[] = {1, 3, 7};
+        Wanderer wanderer(rng, sizes[rng.below(3)], 4);
+        if (wanderer.path.size() < 4 * wanderer.world.chain.dimension()) return;
+        Shortcutter shortcutter(wanderer.world.chain, wanderer.path);
+        const Bridge straight = [&](auto from, auto to, Rows& rows) {
+            if (!wanderer.checker.valid(from, to)) return false;
+            rows.assign(to.begin(), to.end());
+            return true;
+        };
+        for (int i = 0; i < 60; ++i) {
+            const double before = shortcutter.cost();
+            const Rows rows = shortcutter.path();
+            if (shortcutter.attempt(straight, 0.7, rng)) {
+                ASSERT_LT(shortcutter.cost(), before);
+            } else {
+                ASSERT_EQ(shortcutter.path(), rows);
+            }
+        }
+        wanderer.expect_same_ends(shortcutter.path());
+        Oracle(wanderer.world).expect_valid_path(shortcutter.path());
+        const double expected = way(wanderer.world.chain, shortcutter.path());
+        ASSERT_NEAR(shortcutter.cost(), expected, 2e-3 * expected);
+    });
+}
+
 TEST(Shortcutter, DetoursThatCostMoreAreNotTaken) {
     const Chain point(1, 0.05, Anchor::centroid);
     const Rows bend{0, 0, 1, 0, 1, 1};

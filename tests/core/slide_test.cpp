@@ -60,6 +60,35 @@ Problem tower(std::size_t n) {
                             {{{0.45, 0}, {0.55, 0.7}}});
 }
 
+TEST(Slide, EveryMotionIsValidAndComesNearer) {
+    std::size_t outcomes[3] = {0, 0, 0};
+    for_seeds(scaled(60), [&](Rng& rng) {
+        const std::size_t sizes[] = {1, 3, 5, 7, 15};
+        Slider slider(cluttered(rng, sizes[rng.below(5)]));
+        ShapeSampler sampler(slider.checker);
+        Row from(slider.world.start), to(slider.world.goal);
+        if (!sampler.sample(rng, from) || !sampler.sample(rng, to)) return;
+        unwrap(to, from, to.size() > 2 ? std::optional<std::size_t>(2) : std::nullopt);
+        Rows visited;
+        const Steered outcome = slider.steering.slide(from, to, visited);
+        ++outcomes[static_cast<std::size_t>(outcome)];
+        ASSERT_EQ(outcome == Steered::trapped, visited.empty());
+        if (outcome == Steered::reached) {
+            ASSERT_EQ(slider.last(visited), to);
+        }
+        const Rows rows = slider.whole(from, visited);
+        slider.oracle.expect_valid_path(rows);
+        double distance = slider.world.metric.distance(from, to) * (1 + 1e-9);
+        for (std::size_t i = 1; i < slider.count(rows); ++i) {
+            const double now = slider.world.metric.distance(nth(rows, from.size(), i), to);
+            ASSERT_LT(now, distance);
+            distance = now;
+        }
+    });
+    EXPECT_GT(outcomes[static_cast<std::size_t>(Steered::reached)], 0U);
+    EXPECT_GT(outcomes[static_cast<std::size_t>(Steered::advanced)], 0U);
+}
+
 TEST(Slide, RoundsACornerThatBlocksTheStraightMotion) {
     for (const std::size_t n : {1U, 3U, 7U, 15U}) {
         SCOPED_TRACE(std::to_string(n) + " ASVs");

@@ -9,6 +9,7 @@
 #include "asv/core/space/metric.hpp"
 #include "asv/core/space/obstacle_field.hpp"
 #include "asv/core/space/steering/dual_active_set.hpp"
+#include "asv/core/space/steering/near_constraints.hpp"
 
 namespace asv::core {
 
@@ -42,41 +43,25 @@ class ConstrainedStep {
     bool pushed() const { return program_.pushed(); }
 
   private:
-    /// A constraint gap(configuration) >= 0 that is near.
-    struct Near {
-        enum class Kind { turn, point, corner, first_turn, last_turn, area, closing } kind;
-        std::size_t index = 0;  ///< broom, or turn
-        double fraction = 0;    ///< point: where on the broom
-        double nx = 0, ny = 0;  ///< point: axis away from what is near; corner: where it is
-        double offset = 0;  ///< point: where along the axis that ends; corner: side of the broom
-        double gap = 0;     ///< at the row of linearise()
-        double change = 0;  ///< how much the gap may change at least
+    /// A constraint of the program; springs come behind them.
+    struct Heeded {
+        NearConstraint near;
+        double gap;     ///< at the row of linearise()
+        double change;  ///< how much the gap may change at least
     };
 
-    void add(Near near, double margin, double reach);
-    double gap(const Near& near, const Pose& pose, std::span<const double> row) const;
-    void gradient(const Near& near, std::span<double> row);
-    void from_heading_gradient(std::span<double> row) const;
-    void point_gradient(std::size_t broom, double fraction, double nx, double ny,
-                        std::span<double> row);
-    void closing_turn_gradient(std::size_t end, double sign);
-    void area_gradient();
-    void closing_gradient();
-    void near_boxes(double step_length, double margin);
-    void near_box(std::size_t broom, const geometry::Box& box, double step_length, double margin);
-    void near_bounds(double step_length, double margin);
-    void near_shape(double step_length, double strictness);
+    void heed(const NearConstraint& near, double margin, double reach);
+    void to_scaled(std::span<const double> gradient, std::span<double> row) const;
     void take(std::span<const double> step);
     bool correct(std::span<const double> step);
 
     const Chain& chain_;
     const ChainConstraints& constraints_;
-    const ObstacleField& field_;
     const Metric& metric_;
-    std::vector<double> row_, next_;
+    NearConstraints near_;
+    std::vector<double> row_, next_, gradient_;
     Pose pose_, next_pose_;
-    std::vector<double> heading_gradient_;
-    std::vector<Near> near_;  ///< one for each row of the program; springs come behind them
+    std::vector<Heeded> heeded_;
     DualActiveSet program_;
 };
 

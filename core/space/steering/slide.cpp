@@ -35,6 +35,8 @@ Steered SlideSteering::slide(std::span<const double> from, std::span<const doubl
     Steered outcome = Steered::trapped;
     for (std::size_t i = 0; i < options_.most_steps; ++i) {
         double distance = metric_.distance(row_, target);
+        // A constrained step may end on the target itself, from where there is no direction.
+        if (distance == 0 && outcome == Steered::advanced) return Steered::reached;
         if (free_ahead) {
             const std::size_t before = visited.size();
             if (go_straight(target, distance, visited)) return Steered::reached;
