@@ -164,12 +164,9 @@ void paint_clearance_plot(Canvas& canvas, const Exhibit& exhibit, const Box& pla
         canvas.text({place.low.x - 6, y + 4}, shortest(value), label);
     }
     std::vector<Point> curve;
-    for (const StateMeasures& m : measures) {
-        const Point point = at(m);
-        const bool same_spot = !curve.empty() && std::abs(point.x - curve.back().x) < 0.25 &&
-                               std::abs(point.y - curve.back().y) < 0.25;
-        if (!same_spot) curve.push_back(point);
-    }
+    curve.reserve(measures.size());
+    for (const StateMeasures& m : measures) curve.push_back(at(m));
+    curve = simplified(curve, 0.1);
     std::vector<Point> area = curve;
     area.push_back({curve.back().x, place.high.y});
     area.push_back({curve.front().x, place.high.y});
@@ -183,12 +180,11 @@ void paint_clearance_plot(Canvas& canvas, const Exhibit& exhibit, const Box& pla
 /// The page that shows the place where the clearance is least, so large that one sees the gap.
 Page enlarged(const Page& page, const SceneLeast& least, const Point& centre, double broom) {
     const double gap =
-        least.clearance == 0 ? broom / 20 : std::clamp(least.clearance, broom / 1000, broom);
+        least.clearance == 0 ? broom / 20 : std::clamp(least.clearance, broom / 1e5, broom);
     const Point middle{(least.link.a.x + least.link.b.x) / 2,
                        (least.link.a.y + least.link.b.y) / 2};
     Page inset = page;
-    // The gap is a tenth of the circle across; a gap that is too small even for that is shown as
-    // the dot of an ASV that touches.
+    // The gap takes a tenth of the circle; where there is none, a twentieth of a broom does.
     inset.scale = inset_radius / 5 / gap;
     const Point spot = inset.at(middle);
     inset.field.low.x += centre.x - spot.x;
