@@ -86,12 +86,13 @@ void paint_trees(Canvas& canvas, const Scene& scene, const Page& page, const Pal
     }
 }
 
-void paint_line(Canvas& canvas, const SceneLine& line, const Page& page, const Palette& colours) {
+void paint_line(Canvas& canvas, const Scene& scene, const SceneLine& line, const Page& page,
+                const Palette& colours) {
     const std::vector<Point> points = page.at(line.points);
     const Colour colour = along_the_way(colours, line.progress);
     switch (line.role) {
         case Role::path:
-            canvas.stroke_line(points, {faded(colour, 0.55), 0.9});
+            canvas.stroke_line(points, path_stroke(scene, colour));
             break;
         case Role::ghost_closing:
             canvas.stroke_line(points, {faded(colour, 0.4), 0.8, {2, 3}});
@@ -184,6 +185,10 @@ void paint_labels(Canvas& canvas, const Scene& scene, const Page& page, const Pa
 
 }  // namespace
 
+Stroke path_stroke(const Scene& scene, const Colour& colour) {
+    return scene.trees.empty() ? Stroke{faded(colour, 0.55), 0.9} : Stroke{colour, 2.4};
+}
+
 Colour along_the_way(const Palette& colours, double progress) {
     return mixed(colours.start, colours.goal, progress);
 }
@@ -210,7 +215,7 @@ void paint_scene(Canvas& canvas, const Scene& scene, const Page& page, const Pal
     canvas.fill_boxes(boxes, colours.obstacle);
     canvas.stroke_boxes(boxes, {mixed(colours.obstacle, colours.ink, 0.35), 0.8});
     paint_trees(canvas, scene, page, colours);
-    for (const SceneLine& line : scene.lines) paint_line(canvas, line, page, colours);
+    for (const SceneLine& line : scene.lines) paint_line(canvas, scene, line, page, colours);
 }
 
 void paint_field(Canvas& canvas, const Scene& scene, const Page& page, const Palette& colours) {

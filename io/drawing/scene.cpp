@@ -53,7 +53,9 @@ class Composer {
     void add_ways() {
         const std::vector<std::size_t> stops = ghost_states();
         scene.ghosts = stops.size() - 2;
-        for (std::size_t asv = 0; asv < exhibit_.problem.asv_count(); ++asv) {
+        // Search trees are shown through ASV 1: its path is the one that came of them.
+        const std::size_t paths = exhibit_.trees ? 1 : exhibit_.problem.asv_count();
+        for (std::size_t asv = 0; asv < paths; ++asv) {
             for (std::size_t k = 0; k + 1 < stops.size(); ++k) add_way(asv, stops[k], stops[k + 1]);
         }
         for (std::size_t k = 1; k + 1 < stops.size(); ++k) {

@@ -66,7 +66,8 @@ struct Scene {
 
 /// The picture of an exhibit. Ghosts of the chain stand evenly in cost, that is in the distance
 /// moved by all ASVs, and their number follows the length of the way. Lines are simplified by far
-/// less than a picture can show; a path of an ASV is cut at every ghost.
+/// less than a picture can show; a path of an ASV is cut at every ghost. With search trees, only
+/// ASV 1 has its path shown, since the trees are drawn through it.
 Scene make_scene(const Exhibit& exhibit);
 
 /// The line without the points that lie nearer to it than the distance (Douglas and Peucker 1973).

@@ -53,7 +53,11 @@ std::vector<Entry> legend(const Scene& scene, const Palette& colours) {
         return std::any_of(scene.lines.begin(), scene.lines.end(),
                            [&](const SceneLine& line) { return line.role == role; });
     };
-    if (has(Role::path)) add_line_entry(entries, "path of an ASV", {faded(middle, 0.6), 0.9}, 0);
+    if (has(Role::path)) {
+        const bool one = !scene.trees.empty();
+        add_line_entry(entries, one ? "path of ASV 1" : "path of an ASV",
+                       path_stroke(scene, middle), 0);
+    }
     if (has(Role::start_closing)) {
         add_line_entry(entries, "closing side", {faded(middle, 0.75), 1.2, {3, 4}}, 0);
     }
