@@ -21,7 +21,6 @@ constexpr double swatch = 34;  ///< the drawing of an entry, and a gap
 constexpr double caption_height = 50;
 constexpr double inset_radius = 84;
 constexpr double plot_height = 92;
-constexpr double text_size = 12.5;
 
 /// One entry of the legend: a small drawing, 30 points wide, and words.
 struct Entry {
@@ -94,7 +93,7 @@ LegendLayout lay_out(Canvas& canvas, const std::vector<Entry>& entries, double w
     LegendLayout layout;
     Point at{0, 0};
     for (const Entry& entry : entries) {
-        const double needed = swatch + canvas.text_width(entry.words, {{}, text_size});
+        const double needed = swatch + canvas.text_width(entry.words, {{}, Page::text_size});
         if (at.x > 0 && at.x + needed > width) at = {0, at.y + legend_line};
         layout.places.push_back(at);
         at.x += needed + 20;
@@ -109,7 +108,7 @@ void paint_legend(Canvas& canvas, const std::vector<Entry>& entries, const Point
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const Point at{corner.x + layout.places[i].x, corner.y + layout.places[i].y};
         entries[i].draw(canvas, at);
-        canvas.text({at.x + swatch, at.y + 4.5}, entries[i].words, {colours.ink, text_size});
+        canvas.text({at.x + swatch, at.y + 4.5}, entries[i].words, {colours.ink, Page::text_size});
     }
 }
 
@@ -160,7 +159,7 @@ void paint_clearance_plot(Canvas& canvas, const Exhibit& exhibit, const Box& pla
             place.high.y - root_scale(m.clearance->distance, most) * (place.high.y - place.low.y)};
     };
     canvas.fill_boxes(std::span(&place, 1), colours.field);
-    const TextStyle label{colours.muted, 11, false, Align::right};
+    const TextStyle label{colours.muted, Page::tick_size, false, Align::right};
     for (const double value : round_numbers(most, place.high.y - place.low.y)) {
         const double y = place.high.y - root_scale(value, most) * (place.high.y - place.low.y);
         const Segment line{{place.low.x, y}, {place.high.x, y}};
@@ -229,12 +228,12 @@ void paint_caption(Canvas& canvas, const Exhibit& exhibit, const SceneLeast& lea
     canvas.text(
         at,
         "least clearance " + (least.clearance == 0 ? "0: it collides" : fixed(least.clearance, 6)),
-        {colours.ink, text_size, true, Align::left});
+        {colours.ink, Page::text_size, true, Align::left});
     canvas.text({at.x, at.y + 17},
                 "broom " + std::to_string(clearance.broom + 1) + ", obstacle " +
                     std::to_string(clearance.obstacle + 1) + ", step " + grouped(least.state) +
                     ", enlarged " + fixed(zoom, 0) + " times",
-                {colours.muted, text_size, false, Align::left});
+                {colours.muted, Page::text_size, false, Align::left});
 }
 
 }  // namespace
@@ -259,7 +258,7 @@ void paint_strip(Canvas& canvas, const Exhibit& exhibit, const Scene& scene, con
     paint_caption(canvas, exhibit, *scene.least, {plot.low.x, plot.low.y - 25},
                   inset.scale / page.scale, colours);
     canvas.text({plot.high.x, plot.low.y - 8}, "clearance along the way",
-                {colours.muted, text_size, false, Align::right});
+                {colours.muted, Page::text_size, false, Align::right});
     paint_clearance_plot(canvas, exhibit, plot, colours);
     paint_inset(canvas, exhibit, scene, page, centre, colours);
 }
