@@ -7,6 +7,7 @@ build_packages=(
     g++ cmake ninja-build          # compiler and build system
     libcgal-dev                    # exact predicates
     libhwy-dev                     # vector code chosen at run time
+    libeigen3-dev                  # linear algebra
     libcli11-dev                   # command lines
     nlohmann-json3-dev             # JSON files
     libcairo2-dev pkg-config       # pictures

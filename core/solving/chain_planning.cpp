@@ -83,7 +83,7 @@ class ChainPlanning : public BodyPlanning {
             spent.state_checks += attempt.state_checks;
             spent.edge_checks += attempt.edge_checks;
             return AnotherPath{std::move(attempt.search.path),
-                               work_of(attempt.state_checks, attempt.constrained_steps,
+                               work_of({attempt.state_checks, attempt.constrained_steps},
                                        world_.problem.asv_count())};
         };
         const auto on_better = [&](double better) {
