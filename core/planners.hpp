@@ -1,12 +1,17 @@
 #pragma once
 
-#include <functional>
-#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "asv/core/body.hpp"
+#include "asv/core/planners/setting.hpp"
+#include "asv/core/planning/extensions/extensions.hpp"
+#include "asv/core/planning/prm.hpp"
+#include "asv/core/planning/rrt.hpp"
 #include "asv/core/planning/rrt_connect.hpp"
+#include "asv/core/planning/rrt_star.hpp"
+#include "asv/core/planning/samplers.hpp"
 #include "asv/core/planning/slide_pull.hpp"
 #include "asv/core/space/classic_space.hpp"
 #include "asv/core/space/steering/slide.hpp"
@@ -22,13 +27,47 @@ struct AutoPlanner {
 };
 
 /// `rrt-connect`: the bidirectional RRT for ASVs with corridor sampling, angle enlargement and
-/// ladder moves.
+/// ladder moves, and seven extensions, all off.
 struct RrtConnectPlanner {
     ClassicOptions space;
     RrtConnectOptions search;
+    ExtensionOptions extensions;
+    SamplerOptions sampler;
 };
 
-using Planner = std::variant<AutoPlanner, RrtConnectPlanner>;
+/// `rrt`. Lengths of 0, here and below, stand for shares of the space; see search_in.hpp.
+struct RrtPlanner {
+    RrtOptions search{.step = 0};
+    SamplerOptions sampler;
+};
+
+/// `rrt-star`.
+struct RrtStarPlanner {
+    RrtStarOptions search{.step = 0};
+    SamplerOptions sampler;
+};
+
+/// The roadmaps, which differ in where their samples come from.
+struct PrmPlanner {
+    PrmOptions search;
+    SamplerOptions sampler;
+};
+struct PrmGridPlanner : PrmPlanner {
+    PrmGridPlanner() { sampler.kind = SamplerKind::grid; }
+};
+struct PrmRandomPlanner : PrmPlanner {
+    PrmRandomPlanner() { sampler.kind = SamplerKind::uniform; }
+};
+struct PrmGaussianPlanner : PrmPlanner {
+    PrmGaussianPlanner() { sampler.kind = SamplerKind::gaussian; }
+};
+struct PrmBridgePlanner : PrmPlanner {
+    PrmBridgePlanner() { sampler.kind = SamplerKind::bridge; }
+};
+
+using Planner =
+    std::variant<AutoPlanner, RrtConnectPlanner, RrtPlanner, RrtStarPlanner, PrmGridPlanner,
+                 PrmRandomPlanner, PrmGaussianPlanner, PrmBridgePlanner>;
 
 /// The names that planner_named() knows, the default first.
 std::vector<std::string_view> planner_names();
@@ -36,25 +75,14 @@ std::vector<std::string_view> planner_names();
 /// What one line of documentation says of a planner.
 std::string_view planner_summary(std::string_view name);
 
+/// Who described it.
+std::string_view planner_source(std::string_view name);
+
 /// The planner with its default settings. Throws std::invalid_argument for an unknown name.
 Planner planner_named(std::string_view name);
 
 /// Name of the planner that is chosen.
 std::string_view name(const Planner& planner);
-
-/// One number of a planner that can be set by its name. A switch is 0 or 1.
-struct Setting {
-    std::string name;
-    std::string meaning;
-    std::string unit;  ///< empty for a plain number
-    double low = 0, high = 0;
-    bool whole = false;  ///< only whole numbers
-    std::function<double()> get;
-    std::function<void(double)> set;
-};
-
-/// What a setting may be: "a number from 0 to 1, workspace units".
-std::string describe_range(const Setting& setting);
 
 /// The settings of the planner, which has to outlive them.
 std::vector<Setting> settings(Planner& planner);
@@ -63,7 +91,7 @@ std::vector<Setting> settings(Planner& planner);
 /// a value that is out of range.
 void set(Planner& planner, std::string_view setting, std::string_view value);
 
-/// Throws std::invalid_argument when the settings contradict each other.
-void require_usable(const Planner& planner);
+/// Throws std::invalid_argument when the settings contradict each other or do not suit the body.
+void require_usable(const Planner& planner, BodyKind body);
 
 }  // namespace asv::core

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <stdexcept>
 #include <thread>
+#include <tuple>
 
 #include "asv/core/path/cost.hpp"
 #include "asv/core/path/feasibility.hpp"
@@ -39,6 +40,8 @@ constexpr double cheap_work = 2000;
 double easy(const Problem& problem) {
     return 0.2 + 2e-5 * static_cast<double>(problem.obstacles.size());
 }
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// One call of solve().
 class Solver {
@@ -111,7 +114,8 @@ class Solver {
         limits.deadline = deadline_;
         limits.stop = stop_.get_token();
         Rng rng(seed_of(thread));
-        const Observer observer = thread == 0 ? make_observer() : Observer{};
+        Costs costs;
+        const Observer observer = note_costs(costs, thread == 0 ? make_observer() : Observer{});
         Attempt attempt = planning_->search(limits, rng, observer);
         const std::lock_guard lock(mutex_);
         SolveStatistics& statistics = result_.statistics;
@@ -121,19 +125,31 @@ class Solver {
         if (!winner_ && (solved || thread == 0)) {
             failure_ = attempt.search.outcome;
             statistics.iterations = attempt.search.iterations;
-            for (int side : {0, 1}) {
-                const auto index = static_cast<std::size_t>(side);
-                statistics.tree_nodes[side] = attempt.search.trees[index].size();
-            }
-            if (options_.keep_trees) draw_trees(attempt.search.trees);
+            for (std::size_t side = 0; side < attempt.search.trees.size(); ++side)
+                statistics.tree_nodes[side] = attempt.search.trees[side].size();
+            if (options_.keep_trees) draw_trees(attempt.search);
         }
         if (!solved || winner_) return;
         winner_ = thread;
         stop_.request_stop();
         rows_ = std::move(attempt.search.path);
-        statistics.time_to_first = seconds_since(options_.started);
-        statistics.cost_first = planning_->cost(rows_);
-        statistics.cost_history.emplace_back(statistics.time_to_first, statistics.cost_first);
+        const double cost = planning_->cost(rows_);
+        statistics.cost_of_search = cost;
+        if (costs.empty() || cost < costs.back().second)
+            costs.emplace_back(seconds_since(options_.started), cost);
+        std::tie(statistics.time_to_first, statistics.cost_first) = costs.front();
+        statistics.cost_history = std::move(costs);
+    }
+
+    using Costs = std::vector<std::pair<double, double>>;
+
+    /// Notes when a search that improves its path found which cost, then tells the other observer.
+    Observer note_costs(Costs& costs, Observer other) const {
+        return [this, &costs, told = std::move(other)](const Progress& progress) {
+            if (progress.cost < (costs.empty() ? infinity : costs.back().second))
+                costs.emplace_back(seconds_since(options_.started), progress.cost);
+            if (told) told(progress);
+        };
     }
 
     /// Reports progress and, once a search turns out not to be easy, looks for a proof that it is
@@ -158,7 +174,7 @@ class Solver {
     /// Every thread improves the path with draws of its own; the best one stays.
     void improve_path() {
         const Rows first = rows_;
-        double best = std::numeric_limits<double>::infinity();
+        double best = infinity;
         const auto improve_once = [&](std::size_t thread) {
             Rows rows = improved(first, thread);
             const double cost = planning_->cost(rows);
@@ -228,10 +244,15 @@ class Solver {
         return result;
     }
 
-    void draw_trees(const std::vector<Tree>& trees) {
+    void draw_trees(const SearchResult& search) {
         result_.trees.clear();
-        for (const Tree& tree : trees) {
-            TreePicture picture{planning_->places(tree), {}};
+        result_.edges = search.edges;
+        for (const Tree& tree : search.trees) {
+            const bool roadmap = search.trees.size() == 1 && !search.edges.empty();
+            const bool at_start = result_.trees.empty() != options_.reverse;
+            const auto root =
+                roadmap ? TreeRoot::roadmap : (at_start ? TreeRoot::start : TreeRoot::goal);
+            TreePicture picture{root, planning_->places(tree), {}};
             for (std::uint32_t node = 0; node < tree.size(); ++node)
                 picture.parents.push_back(tree.parent(node) == Tree::none
                                               ? -1
@@ -273,6 +294,18 @@ std::string_view name(SolveStatus status) {
     return "unknown";
 }
 
+std::string_view name(TreeRoot root) {
+    switch (root) {
+        case TreeRoot::start:
+            return "start";
+        case TreeRoot::goal:
+            return "goal";
+        case TreeRoot::roadmap:
+            return "roadmap";
+    }
+    return "unknown";
+}
+
 std::vector<InvalidEnd> invalid_ends(const Problem& problem) {
     std::vector<InvalidEnd> found;
     // Where no chain has the area, that of start and goal is not what is wrong.
@@ -288,7 +321,7 @@ std::vector<InvalidEnd> invalid_ends(const Problem& problem) {
 }
 
 SolveResult solve(const Problem& problem, const SolveOptions& options) {
-    require_usable(options.planner);
+    require_usable(options.planner, problem.body_kind());
     const auto infeasible = [](Feasibility&& proof) {
         SolveResult result;
         result.status = SolveStatus::infeasible;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -50,9 +51,16 @@ struct InvalidEnd {
     std::string reason;
 };
 
+/// Where a tree has its root; the nodes of a roadmap are all roots.
+enum class TreeRoot { start, goal, roadmap };
+
+/// "start", "goal", "roadmap".
+std::string_view name(TreeRoot root);
+
 /// A search tree as a picture shows it: where ASV 1, the tip of an arm or the point is at each
 /// node, and the node's parent.
 struct TreePicture {
+    TreeRoot root = TreeRoot::start;
     std::vector<geometry::Point> points;
     std::vector<std::int64_t> parents;  ///< -1 for the root
 };
@@ -60,6 +68,7 @@ struct TreePicture {
 struct SolveStatistics {
     double time_to_first = 0, time_total = 0;  ///< seconds
     double cost_first = 0, cost = 0;           ///< workspace units
+    double cost_of_search = 0;    ///< of the path that the search ended with, before any shortcut
     double cost_lower_bound = 0;  ///< no path costs less; 0 where there was no time for it
     std::size_t tree_nodes[2] = {0, 0};
     std::size_t iterations = 0;
@@ -73,7 +82,8 @@ struct SolveResult {
     std::string reason;                ///< why there is no solution; empty when solved
     std::optional<Solution> solution;  ///< passed the validator
     SolveStatistics statistics;
-    std::vector<TreePicture> trees;  ///< that of the start, that of the goal
+    std::vector<TreePicture> trees;  ///< that of the start, that of the goal; or one alone
+    std::vector<std::array<std::uint32_t, 2>> edges;  ///< of a roadmap: pairs of nodes
 };
 
 /// Which end of the problem is not valid and why: which requirement, which ASV, broom or obstacle,

@@ -37,11 +37,12 @@ struct Arguments {
 void list_planners() {
     for (const auto name : core::planner_names()) {
         core::Planner planner = core::planner_named(name);
-        std::cout << name << ": " << core::planner_summary(name) << '\n';
+        std::cout << name << ": " << core::planner_summary(name) << " ("
+                  << core::planner_source(name) << ")\n";
         for (const core::Setting& setting : core::settings(planner))
             std::cout << "    " << std::left << std::setw(20) << setting.name << ' '
                       << setting.meaning << " (" << core::describe_range(setting) << "; default "
-                      << setting.get() << ")\n";
+                      << core::describe_value(setting) << ")\n";
     }
 }
 
@@ -88,7 +89,6 @@ core::Planner chosen_planner(const Arguments& arguments) {
                 throw std::invalid_argument("--set wants KEY=VALUE, not '" + setting + "'");
             core::set(planner, setting.substr(0, equals), setting.substr(equals + 1));
         }
-        core::require_usable(planner);
         return planner;
     } catch (const std::invalid_argument& error) {
         throw asv::tools::UsageError(error.what());
@@ -115,9 +115,9 @@ std::size_t peak_memory() {
 
 void write_trees(const Arguments& arguments, const core::SolveResult& result, std::size_t asvs) {
     io::SearchTrees trees{arguments.planner, asvs, {}, {}};
-    for (std::size_t i = 0; i < result.trees.size(); ++i)
-        trees.trees.push_back(
-            {i == 0 ? "start" : "goal", result.trees[i].points, result.trees[i].parents});
+    for (const core::TreePicture& tree : result.trees)
+        trees.trees.push_back({std::string(core::name(tree.root)), tree.points, tree.parents});
+    for (const auto& [a, b] : result.edges) trees.edges.push_back({a, b});
     io::write_trees(arguments.trees, trees);
 }
 
@@ -183,6 +183,12 @@ ExitCode solve_file(const CommandLine& command_line, Arguments& arguments) {
     }
     for (const std::string* output : {&arguments.solution, &arguments.stats, &arguments.trees})
         if (!output->empty()) io::require_writable(*output);
+
+    try {
+        core::require_usable(arguments.solve.planner, file.problem.body_kind());
+    } catch (const std::invalid_argument& error) {
+        throw asv::tools::UsageError(error.what());
+    }
 
     const asv::tools::InterruptWatch interrupt;
     ProgressLine line(!command_line.quiet());

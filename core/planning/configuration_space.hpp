@@ -54,6 +54,9 @@ concept SampledSpace = ConfigurationSpace<Space> &&
     { space.motion_valid(row, row) } -> std::same_as<bool>;
     /// What the straight motion costs; symmetric, not negative, 0 from a row to itself.
     { space.cost(row, row) } -> std::convertible_to<double>;
+    /// What every path from the one to the other costs at least, obstacles or not; it obeys the
+    /// triangle inequality. Zero is always right, but guides no search.
+    { space.least_cost(row, row) } -> std::convertible_to<double>;
 };
 
 /// A start and a goal, both valid.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
+#include <vector>
 
 #include "asv/core/planning/nearest.hpp"
 
@@ -21,6 +22,16 @@ inline void unwrap(std::span<double> row, std::span<const double> other, Wrappin
 inline void interpolate(std::span<const double> from, std::span<const double> to, double t,
                         std::span<double> out) {
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = from[i] + t * (to[i] - from[i]);
+}
+
+/// The distance in the metric of a space by the shorter way round of every angle.
+template <class Space>
+double distance_between(Space& space, std::span<const double> a, std::span<const double> b) {
+    const WrappingAngles angles = space.wrapping();
+    if (angles.count == 0) return space.distance(a, b);
+    std::vector<double> unwrapped(b.begin(), b.end());
+    unwrap(unwrapped, a, angles);
+    return space.distance(a, unwrapped);
 }
 
 }  // namespace asv::core

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -29,8 +31,10 @@ enum class Steered {
 /// What a search found and what it spent.
 struct SearchResult {
     Outcome outcome = Outcome::iterations;
-    Rows path;                ///< from start to goal; empty unless solved
-    std::vector<Tree> trees;  ///< that of the start, that of the goal
+    Rows path;  ///< from start to goal; empty unless solved
+    /// That of the start, that of the goal; one tree only, or the nodes of a roadmap as roots.
+    std::vector<Tree> trees;
+    std::vector<std::array<std::uint32_t, 2>> edges;  ///< of a roadmap: pairs of nodes
     std::size_t iterations = 0;
 };
 
@@ -38,6 +42,8 @@ struct SearchResult {
 struct Progress {
     std::size_t iterations = 0;
     std::array<std::size_t, 2> nodes = {0, 0};
+    /// Of the best path so far; infinite while there is none.
+    double cost = std::numeric_limits<double>::infinity();
 };
 
 /// Is told of progress now and then; must not change the search.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "asv/core/planning/configuration_space.hpp"
+#include "asv/core/planning/extensions/extensions.hpp"
 #include "asv/core/planning/limits.hpp"
 #include "asv/core/planning/two_trees.hpp"
 
@@ -23,21 +24,29 @@ struct RrtConnectOptions {
 };
 
 /// RRT-Connect (Kuffner and LaValle, 2000): two trees, each extended by steering until it is
-/// reached or blocked, until they meet.
-template <ConfigurationSpace Space>
+/// reached or blocked, until they meet. Extensions take part in drawing the sample, in choosing the
+/// node to grow from and in when the next order has its turn.
+template <ConfigurationSpace Space, class Policy = NoExtensions>
 SearchResult rrt_connect(Space& space, const Query& query, const RrtConnectOptions& options,
-                         const Limits& limits, Rng& rng, const Observer& observer = {}) {
+                         const Limits& limits, Rng& rng, const Observer& observer = {},
+                         Policy extensions = {}) {
     TwoTrees<Space> trees(space, query);
     SearchResult result;
     std::vector<double> sample(query.goal.begin(), query.goal.end());
 
+    const auto grow = [&](int side, std::span<const double> target) {
+        const std::uint32_t from = extensions.nearest(trees[side], side, target);
+        const auto growth = trees.grow(side, from, target);
+        extensions.grown(space, trees[side], side, from, growth.outcome, growth.last);
+        return growth;
+    };
     const auto meet = [&](int first, std::span<const double> target, bool chase) {
-        const auto grown = trees.grow(first, target);
+        const auto grown = grow(first, target);
         if (chase && grown.outcome == Steered::trapped) return false;
         // A copy, since growing the other tree must not depend on where rows of this one lie.
         const auto row = trees[first].row(grown.last);
         const std::vector<double> met(row.begin(), row.end());
-        const auto answer = trees.grow(1 - first, chase ? std::span<const double>(met) : target);
+        const auto answer = grow(1 - first, chase ? std::span<const double>(met) : target);
         const bool both = chase || grown.outcome == Steered::reached;
         if (!both || answer.outcome != Steered::reached) return false;
         result.path =
@@ -45,6 +54,7 @@ SearchResult rrt_connect(Space& space, const Query& query, const RrtConnectOptio
         return true;
     };
 
+    std::size_t turn = 0;
     const auto direct = trees.grow(0, query.goal);
     bool met = direct.outcome == Steered::reached;
     if (met) result.path = trees.join(direct.last, 0);
@@ -55,19 +65,11 @@ SearchResult rrt_connect(Space& space, const Query& query, const RrtConnectOptio
             result.outcome = *reason;
             break;
         }
-        const GrowthOrder order = options.orders[result.iterations++ % options.orders.size()];
-        if (!space.sample(rng, sample)) continue;
-        switch (order) {
-            case GrowthOrder::both_to_sample:
-                met = meet(0, sample, false);
-                break;
-            case GrowthOrder::start_then_goal:
-                met = meet(0, sample, true);
-                break;
-            case GrowthOrder::goal_then_start:
-                met = meet(1, sample, true);
-                break;
-        }
+        if (result.iterations++ > 0 && extensions.swaps()) ++turn;
+        const GrowthOrder order = options.orders[turn % options.orders.size()];
+        const int first = order == GrowthOrder::goal_then_start ? 1 : 0;
+        if (extensions.draw(space, trees, first, rng, sample))
+            met = meet(first, sample, order != GrowthOrder::both_to_sample);
     }
     if (met) result.outcome = Outcome::solved;
     result.trees = trees.release();

@@ -37,6 +37,12 @@ class Tree {
         return static_cast<std::uint32_t>(nearest_.nearest(row));
     }
 
+    /// Hangs the node under another parent. Precondition: the parent is no descendant of it.
+    void set_parent(std::uint32_t node, std::uint32_t parent) { parents_[node] = parent; }
+
+    /// The nodes' rows, for other queries than that for the nearest one.
+    const NearestNeighbours& neighbours() const { return nearest_; }
+
     /// The nodes from the given one to the root.
     std::vector<std::uint32_t> to_root(std::uint32_t node) const {
         std::vector<std::uint32_t> nodes;

@@ -33,13 +33,17 @@ class TwoTrees {
 
     /// Extends the tree from its node nearest to the target as far toward it as steering comes.
     Growth grow(int side, std::span<const double> target) {
-        const std::uint32_t nearest = (*this)[side].nearest(target);
-        const auto from = (*this)[side].row(nearest);
+        return grow(side, (*this)[side].nearest(target), target);
+    }
+
+    /// The same from a given node.
+    Growth grow(int side, std::uint32_t node, std::span<const double> target) {
+        const auto from = (*this)[side].row(node);
         std::copy(target.begin(), target.end(), target_.begin());
         unwrap(target_, from, space_.wrapping());
         visited_.clear();
         const Steered outcome = space_.steer(from, target_, visited_);
-        return {outcome, add(side, nearest, visited_)};
+        return {outcome, add(side, node, visited_)};
     }
 
     /// Adds rows one behind the other; returns the last node.

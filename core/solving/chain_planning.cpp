@@ -3,7 +3,10 @@
 #include "asv/core/path/primitive_steps.hpp"
 #include "asv/core/solving/body_planning.hpp"
 #include "asv/core/solving/scaled_problem.hpp"
+#include "asv/core/solving/search_in.hpp"
 #include "asv/core/space/broom_world.hpp"
+#include "asv/core/space/chain_space.hpp"
+#include "asv/core/space/classic_space.hpp"
 #include "asv/core/space/sliding_space.hpp"
 #include "asv/core/space/window.hpp"
 
@@ -23,15 +26,28 @@ Attempt run(const AutoPlanner& planner, const BroomWorld& world, const Limits& l
     return attempt;
 }
 
+/// Of all other planners, which take their samples from a sampler.
+template <class Space, class Chosen, class... SpaceOptions>
+Attempt run_in(const Chosen& planner, const BroomWorld& world, const Limits& limits, Rng& rng,
+               const Observer& observer, const SpaceOptions&... options) {
+    const auto sampler = sampler_for(Space(world, options...), planner.sampler);
+    SampledBy<Space> space(sampler, world, options...);
+    Attempt attempt;
+    attempt.search = search_in(space, planner, {world.start, world.goal}, limits, rng, observer);
+    attempt.state_checks = space.state_checks();
+    attempt.edge_checks = space.motion_checks();
+    return attempt;
+}
+
 Attempt run(const RrtConnectPlanner& planner, const BroomWorld& world, const Limits& limits,
             Rng& rng, const Observer& observer) {
-    ClassicSpace space(world, planner.space);
-    Attempt attempt;
-    attempt.search =
-        rrt_connect(space, {world.start, world.goal}, planner.search, limits, rng, observer);
-    attempt.state_checks = space.checker().state_checks();
-    attempt.edge_checks = space.checker().motion_checks();
-    return attempt;
+    return run_in<ClassicSpace>(planner, world, limits, rng, observer, planner.space);
+}
+
+template <class OneOfTheOthers>
+Attempt run(const OneOfTheOthers& planner, const BroomWorld& world, const Limits& limits, Rng& rng,
+            const Observer& observer) {
+    return run_in<ChainSpace>(planner, world, limits, rng, observer);
 }
 
 Anchor anchor_of(const Planner& planner) {
@@ -47,8 +63,14 @@ class ChainPlanning : public BodyPlanning {
           world_(in_units(bounded(problem), unit_), anchor_of(planner)) {}
 
     Attempt search(const Limits& limits, Rng& rng, const Observer& observer) const override {
+        const Observer told = [&](Progress progress) {
+            progress.cost *= unit_;
+            observer(progress);
+        };
         return std::visit(
-            [&](const auto& chosen) { return run(chosen, world_, limits, rng, observer); },
+            [&](const auto& chosen) {
+                return run(chosen, world_, limits, rng, observer ? told : observer);
+            },
             planner_);
     }
 

@@ -2,6 +2,7 @@
 #include "asv/core/path/lower_bound.hpp"
 #include "asv/core/path/primitive_steps.hpp"
 #include "asv/core/solving/body_planning.hpp"
+#include "asv/core/solving/search_in.hpp"
 #include "asv/core/space/link_space.hpp"
 #include "asv/core/space/link_world.hpp"
 
@@ -9,14 +10,27 @@ namespace asv::core {
 
 namespace {
 
-SearchResult run(const AutoPlanner&, LinkSpace& space, const Query& query, const Limits& limits,
-                 Rng& rng, const Observer& observer) {
-    return rrt_connect(space, query, {}, limits, rng, observer);
+Attempt run(const AutoPlanner&, const LinkWorld& world, const Limits& limits, Rng& rng,
+            const Observer& observer) {
+    LinkSpace space(world);
+    Attempt attempt;
+    attempt.search = rrt_connect(space, {world.start, world.goal}, {}, limits, rng, observer);
+    attempt.state_checks = space.state_checks();
+    attempt.edge_checks = space.motion_checks();
+    return attempt;
 }
 
-SearchResult run(const RrtConnectPlanner& planner, LinkSpace& space, const Query& query,
-                 const Limits& limits, Rng& rng, const Observer& observer) {
-    return rrt_connect(space, query, planner.search, limits, rng, observer);
+/// Of all other planners, which take their samples from a sampler.
+template <class Chosen>
+Attempt run(const Chosen& planner, const LinkWorld& world, const Limits& limits, Rng& rng,
+            const Observer& observer) {
+    const auto sampler = sampler_for(LinkSpace(world), planner.sampler);
+    SampledBy<LinkSpace> space(sampler, world);
+    Attempt attempt;
+    attempt.search = search_in(space, planner, {world.start, world.goal}, limits, rng, observer);
+    attempt.state_checks = space.state_checks();
+    attempt.edge_checks = space.motion_checks();
+    return attempt;
 }
 
 /// Microseconds that a search takes besides its checks.
@@ -28,16 +42,9 @@ class LinkPlanning : public BodyPlanning {
         : problem_(problem), planner_(planner), world_(problem) {}
 
     Attempt search(const Limits& limits, Rng& rng, const Observer& observer) const override {
-        LinkSpace space(world_);
-        Attempt attempt;
-        attempt.search = std::visit(
-            [&](const auto& chosen) {
-                return run(chosen, space, {world_.start, world_.goal}, limits, rng, observer);
-            },
+        return std::visit(
+            [&](const auto& chosen) { return run(chosen, world_, limits, rng, observer); },
             planner_);
-        attempt.state_checks = space.state_checks();
-        attempt.edge_checks = space.motion_checks();
-        return attempt;
     }
 
     double cost(const Rows& path) const override { return path_cost(LinkSpace(world_), path); }

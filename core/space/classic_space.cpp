@@ -10,15 +10,6 @@ namespace {
 /// Rounds of straight extension, enlargement and ladder in one call of steer().
 constexpr int most_rounds = 40;
 
-/// The sharpest intermediate turn of start and goal.
-double sharpest_turn(const BroomWorld& world) {
-    double sharpest = 0;
-    for (const auto* row : {&world.start, &world.goal})
-        for (std::size_t i = 0; i < world.chain.turn_count(); ++i)
-            sharpest = std::max(sharpest, (*row)[3 + i]);
-    return sharpest;
-}
-
 std::vector<double> classic_scales(const Chain& chain, double heading_weight) {
     std::vector<double> scales(chain.dimension(), 0.0);
     scales[0] = scales[1] = 1;
@@ -29,20 +20,11 @@ std::vector<double> classic_scales(const Chain& chain, double heading_weight) {
 }  // namespace
 
 ClassicSpace::ClassicSpace(const BroomWorld& world, const ClassicOptions& options)
-    : world_(world),
+    : ChainSpace(world, options.widest_corridor),
       options_(options),
-      checker_(world.make_checker()),
-      stepwise_(checker_, sharpest_turn(world)),
-      corridors_(world.constraints.boxes, world.constraints.bounds, options.widest_corridor),
       scales_(classic_scales(world.chain, options.heading_weight)),
       row_(world.chain.dimension()),
-      next_(world.chain.dimension()),
-      pose_(world.chain.make_pose()),
-      other_pose_(world.chain.make_pose()) {}
-
-WrappingAngles ClassicSpace::wrapping() const {
-    return {2, world_.chain.asv_count() < 2 ? 0U : 1U};
-}
+      next_(world.chain.dimension()) {}
 
 double ClassicSpace::distance(std::span<const double> a, std::span<const double> b) const {
     double sum = 0;

@@ -1,15 +1,13 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "asv/core/planning/nearest.hpp"
 #include "asv/core/planning/result.hpp"
 #include "asv/core/space/broom_world.hpp"
-#include "asv/core/space/sampling/corridors.hpp"
-#include "asv/core/space/sampling/stepwise_sampler.hpp"
+#include "asv/core/space/chain_space.hpp"
 
 namespace asv::core {
 
@@ -35,19 +33,15 @@ struct ClassicOptions {
 /// and the steering of the bidirectional RRT for ASVs: angle enlargement and ladder moves where a
 /// straight extension is blocked. Extensions are proven motions instead of tested steps. Scratch
 /// memory inside: one space for each thread.
-class ClassicSpace {
+class ClassicSpace : public ChainSpace {
   public:
     /// Precondition: the world is anchored at the first ASV and outlives the space.
     ClassicSpace(const BroomWorld& world, const ClassicOptions& options);
 
-    std::size_t dimension() const { return world_.chain.dimension(); }
-    WrappingAngles wrapping() const;
     NearestNeighbours make_index() const { return {scales_, wrapping()}; }
     double distance(std::span<const double> a, std::span<const double> b) const;
     bool sample(Rng& rng, std::span<double> row);
     Steered steer(std::span<const double> from, std::span<const double> target, Rows& visited);
-
-    MotionChecker& checker() { return checker_; }
 
   private:
     bool draw(Rng& rng, bool any_turn, std::span<double> row);
@@ -56,15 +50,10 @@ class ClassicSpace {
     bool climb_ladder(std::span<const double> target, Rows& visited);
     double farthest_motion(std::span<const double> a, std::span<const double> b);
 
-    const BroomWorld& world_;
     ClassicOptions options_;
-    MotionChecker checker_;
-    StepwiseSampler stepwise_;
-    Corridors corridors_;
     std::vector<double> scales_;
     std::size_t failures_ = 0, lifted_left_ = 0;
     std::vector<double> row_, next_;
-    Pose pose_, other_pose_;
 };
 
 }  // namespace asv::core

@@ -25,13 +25,9 @@ plan() {
             --threads 1 --stats "$work/stats.json" --quiet "$@" || continue
         "$bin/asv-validate" "$cases/$case.json" "$work/s.txt" --continuous --quiet > "$work/verdict" ||
             { cat "$work/verdict" >&2; exit 1; }
-        echo "$(number cost_first) $(number cost) $(vertices) $(number time_to_first_s) $(number cost_lower_bound) $(search_cost) $(number time_total_s)" >> "$work/rows"
+        echo "$(number cost_first) $(number cost) $(vertices) $(number time_to_first_s) $(number cost_lower_bound) $(number cost_of_search) $(number time_total_s)" >> "$work/rows"
     done
 }
-
-# The cost that the search itself ended with, before any shortcut: where the history has the last entry
-# that was made while it searched.
-search_cost() { number cost_of_search || number cost; }
 
 # mean COLUMN FORMAT, and the least and the greatest of a column.
 mean() { awk -v c="$1" -v f="$2" '{s += $c} END {if (NR) printf f, s / NR; else printf "-"}' "$work/rows"; }

@@ -23,7 +23,9 @@ std::string refusal(Call&& call) {
     return {};
 }
 
-std::string text(double value) {
+/// The value as the setting takes it.
+std::string text(double value, const Setting* setting = nullptr) {
+    if (setting && !setting->words.empty()) return setting->words[static_cast<std::size_t>(value)];
     std::ostringstream out;
     out.precision(17);
     out << value;
@@ -58,6 +60,7 @@ TEST(Planners, AreKnownByTheirNames) {
     for (const auto planner : names) {
         EXPECT_EQ(name(planner_named(planner)), planner);
         EXPECT_FALSE(planner_summary(planner).empty());
+        EXPECT_FALSE(planner_source(planner).empty());
     }
 }
 
@@ -89,7 +92,7 @@ TEST(Settings, TakeEveryValueOfTheirRange) {
         const double middle = 0.5 * (setting.low + setting.high);
         for (const double value :
              {setting.low, setting.whole ? std::floor(middle) : middle, setting.high}) {
-            set(planner, setting.name, text(value));
+            set(planner, setting.name, text(value, &setting));
             EXPECT_EQ(setting.get(), value);
             EXPECT_EQ(value_of(planner, setting.name), value);
         }
@@ -103,7 +106,7 @@ TEST(Settings, EachSetsItselfAlone) {
             const auto all = settings(planner);
             if (std::ranges::find(all, setting.name, &Setting::name) == all.end()) continue;
             const double other = setting.get() == setting.low ? setting.high : setting.low;
-            set(planner, setting.name, text(other));
+            set(planner, setting.name, text(other, &setting));
             for (const Setting& s : all) {
                 if (s.name != setting.name) {
                     EXPECT_EQ(s.get(), value_of(untouched, s.name)) << s.name;
@@ -164,14 +167,60 @@ TEST(Settings, AnUnknownNameIsToldWhatThereIs) {
     }
 }
 
+TEST(Settings, OnAndOffAreNoNumbers) {
+    Planner planner = planner_named("auto");
+    for (const auto* value : {"true", "on", "false", "off"})
+        EXPECT_NE(refusal([&] { set(planner, "slide-steps", value); }).find("a whole number"),
+                  std::string::npos);
+}
+
+TEST(Settings, WordsAreTakenByName) {
+    Planner planner = planner_named("prm-random");
+    for (const auto* word : {"gaussian", "mix", "own"}) {
+        set(planner, "sampler", word);
+        const auto all = settings(planner);
+        EXPECT_EQ(describe_value(*std::ranges::find(all, "sampler", &Setting::name)), word);
+    }
+    for (const auto* no_word : {"Gaussian", "gauss", "1", "on"})
+        EXPECT_NE(refusal([&] { set(planner, "sampler", no_word); }).find("one of own, uniform"),
+                  std::string::npos);
+}
+
+TEST(Planners, RoadmapsAreNamedAfterTheirSamplers) {
+    for (const auto& [name, sampler] : {std::pair{"prm-grid", SamplerKind::grid},
+                                        {"prm-random", SamplerKind::uniform},
+                                        {"prm-gaussian", SamplerKind::gaussian},
+                                        {"prm-bridge", SamplerKind::bridge}}) {
+        const auto of = [](const auto& planner) -> const SamplerOptions* {
+            if constexpr (requires { planner.sampler; }) return &planner.sampler;
+            return nullptr;
+        };
+        const Planner planner = planner_named(name);
+        EXPECT_EQ(std::visit(of, planner)->kind, sampler);
+    }
+}
+
+TEST(Planners, SamplersHaveToSuitTheBody) {
+    Planner planner = planner_named("rrt");
+    set(planner, "sampler", "stepwise");
+    EXPECT_NO_THROW(require_usable(planner, BodyKind::chain));
+    EXPECT_THROW(require_usable(planner, BodyKind::arm), std::invalid_argument);
+    set(planner, "sampler", "mix");
+    EXPECT_THROW(require_usable(planner, BodyKind::chain), std::invalid_argument);
+    set(planner, "mix-uniform", "2");
+    EXPECT_NO_THROW(require_usable(planner, BodyKind::arm));
+    set(planner, "mix-corridor", "1");
+    EXPECT_THROW(require_usable(planner, BodyKind::point), std::invalid_argument);
+}
+
 TEST(Planners, RrtConnectNeedsAnOrder) {
     Planner planner = planner_named("rrt-connect");
-    EXPECT_NO_THROW(require_usable(planner));
+    EXPECT_NO_THROW(require_usable(planner, BodyKind::chain));
     for (const auto* order : {"order-both", "order-start", "order-goal"})
         set(planner, order, "off");
-    EXPECT_THROW(require_usable(planner), std::invalid_argument);
+    EXPECT_THROW(require_usable(planner, BodyKind::chain), std::invalid_argument);
     set(planner, "order-goal", "on");
-    EXPECT_NO_THROW(require_usable(planner));
+    EXPECT_NO_THROW(require_usable(planner, BodyKind::chain));
 }
 
 }  // namespace

@@ -73,6 +73,9 @@ struct PointSpace {
     double cost(std::span<const double> from, std::span<const double> to) const {
         return distance(from, to);
     }
+    double least_cost(std::span<const double> from, std::span<const double> to) const {
+        return distance(from, to);
+    }
 
     std::size_t asv_count() const { return 1; }
     std::optional<Point> pull_target(Rng& rng, double) {

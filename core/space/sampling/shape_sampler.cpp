@@ -17,9 +17,18 @@ constexpr double concentrations[] = {0.3, 1.0, 3.0, 20.0};
 ShapeSampler::ShapeSampler(MotionChecker& checker)
     : checker_(checker), pose_(checker.chain().make_pose()) {}
 
+bool ShapeSampler::valid_shape(std::span<const double> row) {
+    const ChainConstraints& limits = checker_.constraints();
+    for (std::size_t i = 3; i < row.size(); ++i)
+        if (row[i] > limits.maximum_turn) return false;
+    checker_.chain().forward(row, pose_);
+    return area(pose_) >= limits.minimum_area && first_turn(pose_) >= limits.minimum_first_turn &&
+           last_turn(pose_) >= limits.minimum_last_turn &&
+           closing_length(pose_) >= limits.minimum_closing;
+}
+
 bool ShapeSampler::sample_shape(Rng& rng, std::span<double> row) {
     const Chain& chain = checker_.chain();
-    const ChainConstraints& limits = checker_.constraints();
     const std::size_t turns = chain.turn_count();
     row[0] = row[1] = 0;
     if (chain.asv_count() > 1) row[2] = 0;
@@ -30,17 +39,8 @@ bool ShapeSampler::sample_shape(Rng& rng, std::span<double> row) {
         double sum = 0;
         for (std::size_t i = 0; i < turns; ++i) sum += row[3 + i] = rng.gamma(concentration);
         if (!(sum > 0)) continue;
-        bool sharp = false;
-        for (std::size_t i = 0; i < turns; ++i) {
-            row[3 + i] *= total / sum;
-            sharp = sharp || row[3 + i] > limits.maximum_turn;
-        }
-        if (sharp) continue;
-        chain.forward(row, pose_);
-        if (area(pose_) >= limits.minimum_area && first_turn(pose_) >= limits.minimum_first_turn &&
-            last_turn(pose_) >= limits.minimum_last_turn &&
-            closing_length(pose_) >= limits.minimum_closing)
-            return true;
+        for (std::size_t i = 0; i < turns; ++i) row[3 + i] *= total / sum;
+        if (valid_shape(row)) return true;
     }
     return false;
 }

@@ -19,6 +19,9 @@ class ShapeSampler {
     bool sample(Rng& rng, std::span<double> row);
     /// Fills the turns of row with those of a valid shape; false after some hundred tries.
     bool sample_shape(Rng& rng, std::span<double> row);
+    /// Do the turns of the row meet the requirements that a place does not matter for?
+    /// Precondition: at least 3 ASVs.
+    bool valid_shape(std::span<const double> row);
 
   private:
     MotionChecker& checker_;

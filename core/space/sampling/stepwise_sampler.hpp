@@ -19,7 +19,6 @@ class StepwiseSampler {
     enum class From { first_asv, last_asv };
 
     /// sharpest_turn: turns are drawn from [0, sharpest_turn], radians.
-    /// Precondition: the checker's chain is anchored at its first ASV.
     StepwiseSampler(MotionChecker& checker, double sharpest_turn);
 
     /// Fills row with a valid configuration, its end at the given place or anywhere; false when
