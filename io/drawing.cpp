@@ -10,7 +10,6 @@ namespace asv::io {
 namespace {
 
 constexpr double title_size = 22;
-constexpr double facts_size = 14;
 constexpr double png_pixels_per_point = 2;
 
 /// The words, or as much of them as fits with an ellipsis behind.
@@ -30,16 +29,17 @@ void paint_header(Canvas& canvas, const Exhibit& exhibit, const std::vector<std:
                   const Page& page, const Palette& colours) {
     const double width = page.width - Page::left - Page::right;
     const bool good = sentences.empty();
-    const TextStyle mark{good ? colours.goal : colours.violation, facts_size, true, Align::right};
+    const TextStyle mark{good ? colours.goal : colours.violation, Page::text_size, true,
+                         Align::right};
     const std::string judgement = (good ? "✓ " : "✗ ") + verdict(exhibit);
     canvas.text({page.width - Page::right, 32}, judgement, mark);
     const TextStyle title{colours.ink, title_size, true};
     const double title_width = width - canvas.text_width(judgement, mark) - 20;
     canvas.text({Page::left, 34}, fitted(canvas, exhibit.name, title, title_width), title);
-    const TextStyle plain{colours.muted, facts_size};
+    const TextStyle plain{colours.muted, Page::text_size};
     double y = 58;
     canvas.text({Page::left, y}, fitted(canvas, facts(exhibit), plain, width), plain);
-    const TextStyle alarm{colours.violation, facts_size};
+    const TextStyle alarm{colours.violation, Page::text_size};
     for (const std::string& sentence : sentences) {
         y += Page::line_height;
         canvas.text({Page::left, y}, fitted(canvas, sentence, alarm, width), alarm);

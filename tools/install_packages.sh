@@ -7,13 +7,15 @@ build_packages=(
     g++ cmake ninja-build          # compiler and build system
     libcgal-dev                    # exact predicates
     libhwy-dev                     # vector code chosen at run time
+    libeigen3-dev                  # linear algebra
+    libboost-dev                   # graph algorithms
     libcli11-dev                   # command lines
     nlohmann-json3-dev             # JSON files
     libcairo2-dev pkg-config       # pictures
 )
 test_packages=(
     libgtest-dev librapidcheck-dev # unit and property tests
-    libbenchmark-dev libboost-dev  # benchmarks, and a peer to compare with
+    libbenchmark-dev               # benchmarks
 )
 
 packages=("${build_packages[@]}")

@@ -1,7 +1,7 @@
 #include "asv/core/path/improve.hpp"
 
+#include "asv/core/path/band/elastic_band.hpp"
 #include "asv/core/path/shorten.hpp"
-#include "asv/core/path/taut.hpp"
 
 namespace asv::core {
 
@@ -10,9 +10,10 @@ namespace {
 /// So many shortcuts in a row without a gain, and it is time for the other method.
 constexpr int patience = 60;
 /// Spacings of the way points of a path that is pulled taut, from coarse to fine.
-constexpr double spacings[] = {0.1, 0.05, 0.025};
-/// Sweeps at one spacing, and the share of the cost that a sweep has to gain to go on.
-constexpr int most_sweeps = 30;
+constexpr double spacings[] = {0.05, 0.025};
+/// Times that the path is pulled at one spacing, and the share of the cost that one pull has to
+/// gain to go on.
+constexpr int most_pulls = 30;
 constexpr double least_gain = 2e-4;
 /// A round of everything that gains less than this share of the cost is the last one.
 constexpr double least_round_gain = 1e-4;
@@ -28,7 +29,7 @@ class Improvement {
                 const Limits& limits, Rng& rng, const std::function<void(double)>& on_better)
         : checker_(checker),
           steering_(steering),
-          taut_(checker, metric),
+          band_(checker, metric),
           limits_(limits),
           rng_(rng),
           on_better_(on_better),
@@ -49,7 +50,7 @@ class Improvement {
 
   private:
     double spent() const {
-        return work_of(checker_.state_checks(), steering_.steps() + taut_.steps(),
+        return work_of({checker_.state_checks(), steering_.steps(), band_.way_point_steps()},
                        checker_.chain().asv_count());
     }
 
@@ -93,11 +94,10 @@ class Improvement {
     }
 
     void pull_taut(double spacing) {
-        Rows path = taut_.resample(path_, spacing);
-        for (int sweep = 0; sweep < most_sweeps && !exhausted(); ++sweep)
-            if (taut_.sweep(path) < least_gain * current_) break;
-        taut_.simplify(path);
-        keep(path);
+        band_.take(path_, spacing);
+        for (int pull = 0; pull < most_pulls && !exhausted(); ++pull)
+            if (band_.tighten([this] { return exhausted(); }) < least_gain * current_) break;
+        keep(band_.path());
     }
 
     void keep(const Rows& path) {
@@ -113,7 +113,7 @@ class Improvement {
 
     MotionChecker& checker_;
     SlideSteering& steering_;
-    TautPuller taut_;
+    ElasticBand band_;
     const Limits& limits_;
     Rng& rng_;
     const std::function<void(double)>& on_better_;
@@ -125,10 +125,11 @@ class Improvement {
 
 }  // namespace
 
-double work_of(std::uint64_t state_checks, std::uint64_t constrained_steps, std::size_t asv_count) {
+double work_of(const WorkDone& done, std::size_t asv_count) {
     const auto n = static_cast<double>(asv_count);
-    return static_cast<double>(state_checks) * (0.1 + 0.05 * n) +
-           static_cast<double>(constrained_steps) * (1 + 0.5 * n);
+    return static_cast<double>(done.state_checks) * (0.2 + 0.07 * n) +
+           static_cast<double>(done.constrained_steps) * (2 + 0.7 * n) +
+           static_cast<double>(done.way_point_steps) * (0.5 + 0.08 * n * n);
 }
 
 Rows improve(Rows path, MotionChecker& checker, const Metric& metric, SlideSteering& steering,

@@ -18,10 +18,16 @@ struct AnotherPath {
     double work = 0;
 };
 
-/// Microseconds of a 2.8 GHz core, roughly, that so many state checks and constrained steps take
-/// for n ASVs. Work is counted, not timed, so that the same seed gives the same path on every
-/// machine.
-double work_of(std::uint64_t state_checks, std::uint64_t constrained_steps, std::size_t asv_count);
+/// What was done, counted.
+struct WorkDone {
+    std::uint64_t state_checks = 0;       ///< of a MotionChecker
+    std::uint64_t constrained_steps = 0;  ///< of a SlideSteering
+    std::uint64_t way_point_steps = 0;    ///< of an ElasticBand
+};
+
+/// Microseconds of a 2.8 GHz core, roughly, that so much takes for n ASVs. Work is counted, not
+/// timed, so that the same seed gives the same path on every machine.
+double work_of(const WorkDone& done, std::size_t asv_count);
 
 /// Shortens a path until the work is spent: by turns with shortcuts (straight and sliding ones, of
 /// all lengths) and by pulling it taut; once that gains nothing more, the same with other paths,

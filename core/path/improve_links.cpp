@@ -42,7 +42,7 @@ class LinkImprovement {
 
   private:
     double spent() const {
-        return work_of(space_.state_checks(), space_.motion_checks(), space_.dimension());
+        return work_of({space_.state_checks(), space_.motion_checks()}, space_.dimension());
     }
 
     bool finished() const { return best_ <= good_enough_ || spent() >= end_ || limits_.expired(); }

@@ -63,15 +63,13 @@ class ChainPlanning : public BodyPlanning {
           world_(in_units(bounded(problem), unit_), anchor_of(planner)) {}
 
     Attempt search(const Limits& limits, Rng& rng, const Observer& observer) const override {
-        const Observer told = [&](Progress progress) {
+        const Observer in_units = [&](Progress progress) {
             progress.cost *= unit_;
             observer(progress);
         };
+        const Observer& told = observer && unit_ != 1 ? in_units : observer;
         return std::visit(
-            [&](const auto& chosen) {
-                return run(chosen, world_, limits, rng, observer ? told : observer);
-            },
-            planner_);
+            [&](const auto& chosen) { return run(chosen, world_, limits, rng, told); }, planner_);
     }
 
     double cost(const Rows& path) const override {
@@ -85,7 +83,7 @@ class ChainPlanning : public BodyPlanning {
             spent.state_checks += attempt.state_checks;
             spent.edge_checks += attempt.edge_checks;
             return AnotherPath{std::move(attempt.search.path),
-                               work_of(attempt.state_checks, attempt.constrained_steps,
+                               work_of({attempt.state_checks, attempt.constrained_steps},
                                        world_.problem.asv_count())};
         };
         const auto on_better = [&](double better) {

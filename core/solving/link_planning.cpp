@@ -57,7 +57,7 @@ class LinkPlanning : public BodyPlanning {
             spent.state_checks += attempt.state_checks;
             spent.edge_checks += attempt.edge_checks;
             return AnotherPath{std::move(attempt.search.path),
-                               work_of_search + work_of(attempt.state_checks, attempt.edge_checks,
+                               work_of_search + work_of({attempt.state_checks, attempt.edge_checks},
                                                         world_.dimension())};
         };
         Rows rows = improve_links(path, space,

@@ -18,8 +18,8 @@ constexpr double most_spacings = 2;
 /// A gap of the line that is shorter than this motion and still open counts as blocked; likewise.
 constexpr double relative_finest_motion = 1e-7;
 
-/// Shortens reach to where g + slope s - curvature s^2 / 2 may become negative; false if g is, or is
-/// no number.
+/// Shortens reach to where g + slope s - curvature s^2 / 2 may become negative; false if g is, or
+/// is no number.
 bool limit(double g, double slope, double curvature, double& back, double& ahead) {
     if (!(g >= 0)) return false;
     const double farther = std::max(back, ahead);
@@ -268,9 +268,10 @@ bool MotionChecker::search_boxes(std::size_t k, Reach& reach) const {
     const std::size_t other = chain_.broom_count() == 0 ? k : k + 1;
     const geometry::Segment broom{{pose_.x[k], pose_.y[k]}, {pose_.x[other], pose_.y[other]}};
     bool valid = true;
-    field_.visit_within(broom, farthest_motion(k, reach), [&](const geometry::Box& box) {
-        valid = valid && broom_reach(k, box, reach);
-    });
+    field_.visit_within(broom, farthest_motion(k, reach),
+                        [&](std::size_t, const geometry::Box& box) {
+                            valid = valid && broom_reach(k, box, reach);
+                        });
     return valid;
 }
 

@@ -30,11 +30,11 @@ class ObstacleField {
     bool few() const { return boxes_.size() <= 12; }
     /// All boxes. Precondition: few().
     const NearBoxes& all() const { return all_; }
-    /// Calls visit(box) for every box within the radius of the segment.
+    /// Calls visit(index, box) for every box within the radius of the segment.
     template <class Visit>
     void visit_within(const geometry::Segment& segment, double radius, Visit&& visit) const {
         index_.visit_within(segment, radius, [&](std::size_t i) {
-            visit(boxes_[i]);
+            visit(i, boxes_[i]);
             return false;
         });
     }

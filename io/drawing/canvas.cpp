@@ -1,6 +1,8 @@
 #include "asv/io/drawing/canvas.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -47,6 +49,33 @@ cairo_surface_t* make_surface(PictureFormat format, double width, double height,
         }
     }
     throw std::invalid_argument("format: not a picture format");
+}
+
+/// cairo writes six decimals of every number; a hundredth of a point is more than a screen shows,
+/// and takes a quarter less.
+std::string with_two_decimals(std::string_view svg) {
+    std::string result;
+    result.reserve(svg.size());
+    const char* at = svg.data();
+    const char* const end = at + svg.size();
+    while (at != end) {
+        if (*at < '0' || *at > '9') {
+            result += *at++;
+            continue;
+        }
+        double value = 0;
+        const char* const past = std::from_chars(at, end, value, std::chars_format::fixed).ptr;
+        if (past - std::find(at, past, '.') > 3) {
+            std::array<char, 32> shortest{};
+            const auto written = std::to_chars(shortest.data(), shortest.data() + shortest.size(),
+                                               std::round(value * 100) / 100);
+            result.append(shortest.data(), written.ptr);
+        } else {
+            result.append(at, past);
+        }
+        at = past;
+    }
+    return result;
 }
 
 }  // namespace
@@ -226,6 +255,7 @@ std::string Canvas::finish(std::string_view title, std::string_view description)
     }
     cairo_surface_finish(surface);
     check(cairo_surface_status(surface));
+    if (format_ == PictureFormat::svg) bytes_ = with_two_decimals(bytes_);
     const std::size_t root = bytes_.find("<svg ");
     if (format_ == PictureFormat::svg && root != std::string::npos) {
         bytes_.insert(bytes_.find('>', root) + 1, "\n<title>" + escape_markup(title) +

@@ -16,7 +16,6 @@ constexpr std::size_t most_numbered_obstacles = 100;
 constexpr double end_broom = 3;
 constexpr double end_dot = 4;
 constexpr double label_size = 15;
-constexpr double tick_size = 11.5;
 constexpr double least_radius = 13;
 
 /// 1, 2 or 5 times a power of ten, so that about five of them fit into the extent.
@@ -41,8 +40,8 @@ std::vector<double> ticks(double low, double high) {
 
 void paint_grid(Canvas& canvas, const Page& page, const Palette& colours) {
     const Stroke line{colours.grid, 1};
-    const TextStyle below{colours.muted, tick_size, false, Align::centre};
-    const TextStyle beside{colours.muted, tick_size, false, Align::right};
+    const TextStyle below{colours.muted, Page::tick_size, false, Align::centre};
+    const TextStyle beside{colours.muted, Page::tick_size, false, Align::right};
     const Box& world = page.world;
     const int digits =
         digits_of(tick_step(std::max(world.high.x - world.low.x, world.high.y - world.low.y)));
@@ -61,7 +60,7 @@ void paint_grid(Canvas& canvas, const Page& page, const Palette& colours) {
 void paint_obstacle_numbers(Canvas& canvas, const Scene& scene, const Page& page,
                             const Palette& colours) {
     if (scene.obstacles.size() > most_numbered_obstacles) return;
-    const TextStyle style{colours.ink, 12, true, Align::centre};
+    const TextStyle style{colours.ink, Page::text_size, true, Align::centre};
     for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
         const Box box = page.at(scene.obstacles[i]);
         const std::string number = std::to_string(i + 1);
@@ -86,12 +85,13 @@ void paint_trees(Canvas& canvas, const Scene& scene, const Page& page, const Pal
     }
 }
 
-void paint_line(Canvas& canvas, const SceneLine& line, const Page& page, const Palette& colours) {
+void paint_line(Canvas& canvas, const Scene& scene, const SceneLine& line, const Page& page,
+                const Palette& colours) {
     const std::vector<Point> points = page.at(line.points);
     const Colour colour = along_the_way(colours, line.progress);
     switch (line.role) {
         case Role::path:
-            canvas.stroke_line(points, {faded(colour, 0.55), 0.9});
+            canvas.stroke_line(points, path_stroke(scene, colour));
             break;
         case Role::ghost_closing:
             canvas.stroke_line(points, {faded(colour, 0.4), 0.8, {2, 3}});
@@ -184,6 +184,10 @@ void paint_labels(Canvas& canvas, const Scene& scene, const Page& page, const Pa
 
 }  // namespace
 
+Stroke path_stroke(const Scene& scene, const Colour& colour) {
+    return scene.trees.empty() ? Stroke{faded(colour, 0.55), 0.9} : Stroke{colour, 2.4};
+}
+
 Colour along_the_way(const Palette& colours, double progress) {
     return mixed(colours.start, colours.goal, progress);
 }
@@ -210,7 +214,7 @@ void paint_scene(Canvas& canvas, const Scene& scene, const Page& page, const Pal
     canvas.fill_boxes(boxes, colours.obstacle);
     canvas.stroke_boxes(boxes, {mixed(colours.obstacle, colours.ink, 0.35), 0.8});
     paint_trees(canvas, scene, page, colours);
-    for (const SceneLine& line : scene.lines) paint_line(canvas, line, page, colours);
+    for (const SceneLine& line : scene.lines) paint_line(canvas, scene, line, page, colours);
 }
 
 void paint_field(Canvas& canvas, const Scene& scene, const Page& page, const Palette& colours) {

@@ -10,6 +10,10 @@ namespace asv::io {
 /// The colour of something that stands between start and goal.
 Colour along_the_way(const Palette& colours, double progress);
 
+/// The path of an ASV: thin among those of all the others, strong when it is the one that came of
+/// the search trees.
+Stroke path_stroke(const Scene& scene, const Colour& colour);
+
 /// How wide lines are and how large dots; smaller for more ASVs, larger in the inset.
 struct Pen {
     double broom = 1.4;

@@ -13,6 +13,9 @@ struct Page {
     static constexpr double left = 52;         ///< room for the numbers of the axis
     static constexpr double right = 28;
     static constexpr double line_height = 22;
+    // Few sizes: an svg carries the letters of each.
+    static constexpr double text_size = 13.5;
+    static constexpr double tick_size = 11.5;  ///< of the numbers beside the axes
 
     double width = 0;
     double height = 0;

@@ -31,7 +31,10 @@ constexpr double ghost_spacing = 0.035;
 constexpr double ghost_spacing_per_asv = 0.005;
 constexpr std::size_t most_ghosts = 36;
 
-/// A state belongs to the tight stretch when its clearance is at most so many times the least.
+/// A state belongs to the tight stretch when its clearance is at most so many brooms, or so many
+/// times the least. Improved paths touch every corner on their way, so that the least alone would
+/// say little about where it is tight.
+constexpr double tight_brooms = 0.1;
 constexpr double tight_factor = 2;
 
 /// Links of the tight stretch that end nearer to each other, in shares of the field's longer side,
@@ -40,13 +43,6 @@ constexpr double link_spacing = 0.002;
 
 double longer_side(const geometry::Box& box) {
     return std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-}
-
-std::vector<Point> simplified(const std::vector<Point>& points, double distance) {
-    boost::geometry::model::linestring<Point> line(points.begin(), points.end());
-    boost::geometry::model::linestring<Point> result;
-    boost::geometry::simplify(line, result, distance);
-    return {result.begin(), result.end()};
 }
 
 /// Adds the lines of one exhibit to a scene.
@@ -61,7 +57,9 @@ class Composer {
     void add_ways() {
         const std::vector<std::size_t> stops = ghost_states();
         scene.ghosts = stops.size() - 2;
-        for (std::size_t asv = 0; asv < exhibit_.problem.asv_count(); ++asv) {
+        // Search trees are shown through ASV 1: its path is the one that came of them.
+        const std::size_t paths = exhibit_.trees ? 1 : exhibit_.problem.asv_count();
+        for (std::size_t asv = 0; asv < paths; ++asv) {
             for (std::size_t k = 0; k + 1 < stops.size(); ++k) add_way(asv, stops[k], stops[k + 1]);
         }
         for (std::size_t k = 1; k + 1 < stops.size(); ++k) {
@@ -82,8 +80,10 @@ class Composer {
         least.state = tightest;
         least.clearance = exhibit_.measures[tightest].clearance->distance;
         least.link = link(tightest);
+        const double limit = std::max(tight_brooms * exhibit_.problem.requirements.broom_length,
+                                      tight_factor * least.clearance);
         const auto tight = [&](std::size_t i) {
-            return exhibit_.measures[i].clearance->distance <= tight_factor * least.clearance;
+            return exhibit_.measures[i].clearance->distance <= limit;
         };
         least.first_state = least.last_state = tightest;
         while (least.first_state > 0 && tight(least.first_state - 1)) --least.first_state;
@@ -223,6 +223,13 @@ std::string text(const Point& point) {
 }
 
 }  // namespace
+
+std::vector<Point> simplified(const std::vector<Point>& points, double distance) {
+    boost::geometry::model::linestring<Point> line(points.begin(), points.end());
+    boost::geometry::model::linestring<Point> result;
+    boost::geometry::simplify(line, result, distance);
+    return {result.begin(), result.end()};
+}
 
 std::string_view name(Role role) {
     switch (role) {

@@ -35,7 +35,8 @@ struct SceneTree {
 
 /// Where the clearance is least, and the tight stretch of the way around it: the shortest links
 /// from the chain to the obstacles in all states, one after the other, before and after, whose
-/// clearance is at most twice the least. It is a corridor when the chain slides through one.
+/// clearance is at most a tenth of a broom, or twice the least where that is more. Where the chain
+/// slides through a corridor, the links end along its walls.
 struct SceneLeast {
     std::size_t state = 0;
     double clearance = 0;
@@ -66,8 +67,13 @@ struct Scene {
 
 /// The picture of an exhibit. Ghosts of the chain stand evenly in cost, that is in the distance
 /// moved by all ASVs, and their number follows the length of the way. Lines are simplified by far
-/// less than a picture can show; a path of an ASV is cut at every ghost.
+/// less than a picture can show; a path of an ASV is cut at every ghost. With search trees, only
+/// ASV 1 has its path shown, since the trees are drawn through it.
 Scene make_scene(const Exhibit& exhibit);
+
+/// The line without the points that lie nearer to it than the distance (Douglas and Peucker 1973).
+std::vector<geometry::Point> simplified(const std::vector<geometry::Point>& points,
+                                        double distance);
 
 /// One line of text for each thing in the scene, coordinates with 4 digits: for tests and for
 /// comparing two pictures by diff.

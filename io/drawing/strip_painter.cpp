@@ -21,7 +21,6 @@ constexpr double swatch = 34;  ///< the drawing of an entry, and a gap
 constexpr double caption_height = 50;
 constexpr double inset_radius = 84;
 constexpr double plot_height = 92;
-constexpr double text_size = 12.5;
 
 /// One entry of the legend: a small drawing, 30 points wide, and words.
 struct Entry {
@@ -58,7 +57,11 @@ std::vector<Entry> legend(const Scene& scene, const Palette& colours) {
         return std::any_of(scene.lines.begin(), scene.lines.end(),
                            [&](const SceneLine& line) { return line.role == role; });
     };
-    if (has(Role::path)) add_line_entry(entries, words.path, {faded(middle, 0.6), 0.9}, 0);
+    if (has(Role::path)) {
+        const bool first = !scene.trees.empty() && scene.body == core::BodyKind::chain;
+        add_line_entry(entries, first ? "path of ASV 1" : words.path, path_stroke(scene, middle),
+                       0);
+    }
     if (has(Role::start_closing)) {
         add_line_entry(entries, "closing side", {faded(middle, 0.75), 1.2, {3, 4}}, 0);
     }
@@ -95,7 +98,7 @@ LegendLayout lay_out(Canvas& canvas, const std::vector<Entry>& entries, double w
     LegendLayout layout;
     Point at{0, 0};
     for (const Entry& entry : entries) {
-        const double needed = swatch + canvas.text_width(entry.words, {{}, text_size});
+        const double needed = swatch + canvas.text_width(entry.words, {{}, Page::text_size});
         if (at.x > 0 && at.x + needed > width) at = {0, at.y + legend_line};
         layout.places.push_back(at);
         at.x += needed + 20;
@@ -110,7 +113,7 @@ void paint_legend(Canvas& canvas, const std::vector<Entry>& entries, const Point
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const Point at{corner.x + layout.places[i].x, corner.y + layout.places[i].y};
         entries[i].draw(canvas, at);
-        canvas.text({at.x + swatch, at.y + 4.5}, entries[i].words, {colours.ink, text_size});
+        canvas.text({at.x + swatch, at.y + 4.5}, entries[i].words, {colours.ink, Page::text_size});
     }
 }
 
@@ -161,7 +164,7 @@ void paint_clearance_plot(Canvas& canvas, const Exhibit& exhibit, const Box& pla
             place.high.y - root_scale(m.clearance->distance, most) * (place.high.y - place.low.y)};
     };
     canvas.fill_boxes(std::span(&place, 1), colours.field);
-    const TextStyle label{colours.muted, 11, false, Align::right};
+    const TextStyle label{colours.muted, Page::tick_size, false, Align::right};
     for (const double value : round_numbers(most, place.high.y - place.low.y)) {
         const double y = place.high.y - root_scale(value, most) * (place.high.y - place.low.y);
         const Segment line{{place.low.x, y}, {place.high.x, y}};
@@ -169,12 +172,9 @@ void paint_clearance_plot(Canvas& canvas, const Exhibit& exhibit, const Box& pla
         canvas.text({place.low.x - 6, y + 4}, shortest(value), label);
     }
     std::vector<Point> curve;
-    for (const StateMeasures& m : measures) {
-        const Point point = at(m);
-        const bool same_spot = !curve.empty() && std::abs(point.x - curve.back().x) < 0.25 &&
-                               std::abs(point.y - curve.back().y) < 0.25;
-        if (!same_spot) curve.push_back(point);
-    }
+    curve.reserve(measures.size());
+    for (const StateMeasures& m : measures) curve.push_back(at(m));
+    curve = simplified(curve, 0.1);
     std::vector<Point> area = curve;
     area.push_back({curve.back().x, place.high.y});
     area.push_back({curve.front().x, place.high.y});
@@ -188,12 +188,11 @@ void paint_clearance_plot(Canvas& canvas, const Exhibit& exhibit, const Box& pla
 /// The page that shows the place where the clearance is least, so large that one sees the gap.
 Page enlarged(const Page& page, const SceneLeast& least, const Point& centre, double broom) {
     const double gap =
-        least.clearance == 0 ? broom / 20 : std::clamp(least.clearance, broom / 1000, broom);
+        least.clearance == 0 ? broom / 20 : std::clamp(least.clearance, broom / 1e5, broom);
     const Point middle{(least.link.a.x + least.link.b.x) / 2,
                        (least.link.a.y + least.link.b.y) / 2};
     Page inset = page;
-    // The gap is a tenth of the circle across; a gap that is too small even for that is shown as
-    // the dot of an ASV that touches.
+    // The gap takes a tenth of the circle; where there is none, a twentieth of a broom does.
     inset.scale = inset_radius / 5 / gap;
     const Point spot = inset.at(middle);
     inset.field.low.x += centre.x - spot.x;
@@ -240,12 +239,12 @@ void paint_caption(Canvas& canvas, const Exhibit& exhibit, const SceneLeast& lea
     canvas.text(
         at,
         "least clearance " + (least.clearance == 0 ? "0: it collides" : fixed(least.clearance, 6)),
-        {colours.ink, text_size, true, Align::left});
+        {colours.ink, Page::text_size, true, Align::left});
     canvas.text({at.x, at.y + 17},
                 which_link(exhibit.problem.body_kind(), clearance) + "obstacle " +
                     std::to_string(clearance.obstacle + 1) + ", step " + grouped(least.state) +
                     ", enlarged " + fixed(zoom, 0) + " times",
-                {colours.muted, text_size, false, Align::left});
+                {colours.muted, Page::text_size, false, Align::left});
 }
 
 }  // namespace
@@ -269,7 +268,7 @@ void paint_strip(Canvas& canvas, const Exhibit& exhibit, const Scene& scene, con
     paint_caption(canvas, exhibit, *scene.least, {plot.low.x, plot.low.y - 25},
                   inset.scale / page.scale, colours);
     canvas.text({plot.high.x, plot.low.y - 8}, "clearance along the way",
-                {colours.muted, text_size, false, Align::right});
+                {colours.muted, Page::text_size, false, Align::right});
     paint_clearance_plot(canvas, exhibit, plot, colours);
     paint_inset(canvas, exhibit, scene, page, centre, colours);
 }

@@ -26,6 +26,39 @@ for (const colorScheme of ["light", "dark"]) {
   }
 }
 
+/** Of two colours "#rrggbb", as WCAG 2.1 defines it. */
+function contrast(a, b) {
+  const luminance = (colour) => [[1, 0.2126], [3, 0.7152], [5, 0.0722]].reduce((sum, [at, weight]) => {
+    const share = parseInt(colour.slice(at, at + 2), 16) / 255;
+    return sum + weight * (share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4);
+  }, 0);
+  const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y);
+  return (high + 0.05) / (low + 0.05);
+}
+
+// What axe cannot see: the canvases, borders and the mark of the focus.
+for (const colorScheme of ["light", "dark"]) {
+  test(`what is drawn stands out in the ${colorScheme} scheme`, async () => {
+    const page = await open("7ASV.html", { colorScheme });
+    const colours = await page.evaluate(() => colours);
+    const least = (wanted, pairs) => pairs.forEach(([front, back]) => {
+      const shown = contrast(colours[front], colours[back]);
+      assert.ok(shown >= wanted, `${front} on ${back}: ${shown}`);
+    });
+    least(4.5, [["muted", "field"], ["start", "field"], ["goal", "field"]]);
+    least(3, [["obstacle", "field"], ["least", "field"], ["violation", "field"], ["muted", "page"], ["start", "page"]]);
+    await close(page);
+  });
+}
+
+test("nothing has to be scrolled sideways on 320 pixels", async () => {
+  for (const name of ["7ASV", "spoilt", "unsolved", "gallery/index"]) {
+    const page = await open(`${name}.html`, { viewport: { width: 320, height: 640 } });
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 320, name);
+    await close(page);
+  }
+});
+
 test("follows a change of the scheme at once", async () => {
   const page = await open("7ASV.html", { colorScheme: "light" });
   const page_colour = () => page.evaluate(() => colours.page);

@@ -17,6 +17,12 @@ export function readProblem(file) {
   return { n, obstacles };
 }
 
+/** Each wall is a line of the file: the four corners of an obstacle. */
+export function writeProblem(file, { start, goal, walls }) {
+  const lines = [start.length / 2, start.join(" "), goal.join(" "), walls.length, ...walls];
+  writeFileSync(file, `${lines.join("\n")}\n`);
+}
+
 export function readSolution(file) {
   const lines = readFileSync(file, "utf8").split("\n");
   const [steps, cost] = numbers(lines[0]);

@@ -18,7 +18,8 @@ test("the solution is spoilt in the ways that are tested here", () => {
 });
 
 test("says that the solution is not valid, and why", async () => {
-  assert.match(await text(page, "verdict"), /not valid: 4 of 8 requirements violated/);
+  const verdict = `not valid: ${failed.length} of ${validation.parts[0].checks.length} requirements violated`;
+  assert.ok((await text(page, "verdict")).includes(verdict), await text(page, "verdict"));
   assert.equal(await page.locator("#verdict").evaluate((e) => getComputedStyle(e).color),
                await page.locator("#complaints b").first().evaluate((e) => getComputedStyle(e).color));
   const complaints = await page.locator("#complaints li").allTextContents();

@@ -1,10 +1,10 @@
-// Makes the pages under test with the programs: a solved 7ASV with its trees, the same with a
-// spoilt solution, a problem alone, one with an awkward name, two very long paths, and a gallery.
+// Makes the pages under test with the programs: a solved 7ASV with its trees, a spoilt
+// solution, a problem alone, one with an awkward name, two very long paths, and a gallery.
 
 import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { costs, readSolution, writeSolution } from "./files.mjs";
+import { costs, writeProblem, writeSolution } from "./files.mjs";
 
 const { ASV_PROGRAMS, ASV_OUT, ASV_SOURCE } = process.env;
 const pages = join(ASV_OUT, "pages");
@@ -21,18 +21,25 @@ function run(program, args, codes = [0]) {
   }
 }
 
-/** One ASV leaves its place for a few states, and later the whole chain passes through a wall. */
-function spoil({ cost, states }) {
-  const spoilt = states.map((state) => [...state]);
-  const first = Math.floor(states.length * 0.7);
-  for (let i = first; i < first + 4; ++i) spoilt[i][4] += 0.004;
-  const begin = Math.floor(states.length * 0.4);
-  const length = 60;
-  for (let i = 0; i <= length; ++i) {
-    const shift = 0.06 * Math.sin((Math.PI * i) / length);
-    for (let k = 1; k < states[0].length; k += 2) spoilt[begin + i][k] -= shift;
+/**
+ * Seven ASVs on an arc keep their shape while they go sideways through a wall, and later one of
+ * them leaves its place for a few states. This breaks exactly four requirements: steps, cost,
+ * broom lengths and collisions; the turns of 36 degrees have room for the leap.
+ */
+function spoilt(name) {
+  const [steps, pace, leap] = [700, 0.0009, 0.004];
+  const arc = [[0.13, 0.4]];
+  for (let i = 0; i < 6; ++i) {
+    const [[x, y], heading] = [arc[i], 0.2 * Math.PI * i - 0.5];
+    arc.push([x + 0.05 * Math.cos(heading), y + 0.05 * Math.sin(heading)]);
   }
-  return { cost, states: spoilt };
+  const states = [];
+  for (let i = 0; i <= steps; ++i) states.push(arc.flatMap(([x, y]) => [x + pace * i, y]));
+  const cost = costs(states)[steps];
+  for (let i = 600; i < 604; ++i) states[i][4] += leap;
+  const walls = ["0.47 0.3 0.5 0.3 0.5 0.5 0.47 0.5", "0.2 0.7 0.8 0.7 0.8 0.75 0.2 0.75"];
+  writeProblem(page(`${name}.txt`), { start: states[0], goal: states[steps], walls });
+  writeSolution(page(`${name}.solution.txt`), { cost, states });
 }
 
 /** n ASVs on an arc that wanders and breathes, in steps just below the limit. */
@@ -64,7 +71,7 @@ function wander(n, steps, name) {
     pace *= 1.05;
   }
   const walls = ["0 0 0.03 0 0.03 0.9 0 0.9", "0.97 0.1 1 0.1 1 1 0.97 1"];
-  writeFileSync(page(`${name}.txt`), [n, states[0].join(" "), states[steps].join(" "), 2, ...walls, ""].join("\n"));
+  writeProblem(page(`${name}.txt`), { start: states[0], goal: states[steps], walls });
   writeSolution(page(`${name}.solution.txt`), { cost: costs(states)[steps], states });
   run("asv-view", [page(`${name}.txt`), page(`${name}.solution.txt`), "-o", page(`${name}.html`)]);
 }
@@ -75,10 +82,10 @@ run("asv-solve", [problem, page("7ASV.solution.txt"), "--trees", page("7ASV.tree
 run("asv-view", [problem, page("7ASV.solution.txt"), "--trees", page("7ASV.trees.json"),
                  "--stats", page("7ASV.stats.json"), "-o", page("7ASV.html")]);
 
-writeSolution(page("spoilt.solution.txt"), spoil(readSolution(page("7ASV.solution.txt"))));
-copyFileSync(problem, page("spoilt.txt"));
-run("asv-validate", [problem, page("spoilt.solution.txt"), "--verbose", "--json", page("spoilt.json")], [1]);
-run("asv-view", [problem, page("spoilt.solution.txt"), "-o", page("spoilt.html")]);
+spoilt("spoilt");
+const spoiltFiles = [page("spoilt.txt"), page("spoilt.solution.txt")];
+run("asv-validate", [...spoiltFiles, "--verbose", "--json", page("spoilt.json")], [1]);
+run("asv-view", [...spoiltFiles, "-o", page("spoilt.html")]);
 
 run("asv-view", [problem, "-o", page("unsolved.html")]);
 

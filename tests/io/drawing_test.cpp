@@ -59,12 +59,12 @@ TEST(Picture, IsTheFileThatItsNameSays) {
     EXPECT_EQ(big_endian(16), 1760U) << "two pixels a point";
 }
 
-/// As cairo writes a colour into an svg.
+/// As an svg has a colour.
 std::string svg_colour(const Colour& colour) {
     const auto percent = [](double share) {
         std::ostringstream out;
         out << std::fixed;
-        out.precision(6);
+        out.precision(2);
         out << 100 * share;
         return std::regex_replace(std::regex_replace(out.str(), std::regex("0+$"), ""),
                                   std::regex("\\.$"), "") +
@@ -93,6 +93,8 @@ TEST(Picture, SvgHasTheObstaclesTheWaysAndTheMark) {
         EXPECT_NE(svg.find("<title>sample</title>"), std::string::npos);
         EXPECT_NE(svg.find("role=\"img\""), std::string::npos);
         EXPECT_NE(svg.find("width=\"880px\""), std::string::npos);
+        const std::string drawing = svg.substr(svg.find("</desc>"));
+        EXPECT_FALSE(std::regex_search(drawing, std::regex("[0-9]\\.[0-9]{3}"))) << "short numbers";
         EXPECT_LT(svg.size(), 1000000U);
     }
 }

@@ -14,6 +14,7 @@
 #include "asv/io/atomic_file.hpp"
 #include "asv/io/problem_file.hpp"
 #include "asv/io/solution_file.hpp"
+#include "asv/io/trees_file.hpp"
 
 /// What a user of asv-solve sees, and that every problem of ours is solved.
 
@@ -83,6 +84,43 @@ TEST_P(MethodA, SolvesIt) {
 INSTANTIATE_TEST_SUITE_P(Ours, MethodA,
                          testing::Values("3ASV", "3ASV-x4", "7ASV-x6", "3ASV-clutter-20"),
                          identifier);
+
+/// Every planner by its name, with the file of its tree or roadmap.
+class EveryPlanner : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryPlanner, SolvesAnEasyOne) {
+    const TemporaryFolder folder;
+    const std::string solution = (folder / "s").string(), trees = (folder / "t").string();
+    const Outcome outcome =
+        solve(testcase("3ASV"), solution, {"--planner", GetParam(), "--trees", trees});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome verdict =
+        run_program("asv-validate", {testcase("3ASV"), solution, "--continuous"});
+    EXPECT_EQ(verdict.exit_code, 0) << verdict.out;
+    const io::SearchTrees drawn = io::read_trees(trees);
+    EXPECT_EQ(drawn.planner, GetParam());
+    ASSERT_FALSE(drawn.trees.empty());
+    const bool roadmap = GetParam().starts_with("prm");
+    EXPECT_EQ(drawn.trees[0].root, roadmap ? "roadmap" : "start");
+    EXPECT_EQ(drawn.edges.empty(), !roadmap);
+}
+
+Words all_planners() {
+    const auto names = core::planner_names();
+    return {names.begin(), names.end()};
+}
+
+INSTANTIATE_TEST_SUITE_P(Ours, EveryPlanner, testing::ValuesIn(all_planners()), identifier);
+
+TEST(SolveProgram, ListsEveryPlannerWithItsSettingsAndSource) {
+    const Outcome outcome = run_program("asv-solve", {"--list-planners"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    for (const std::string& planner : all_planners()) {
+        EXPECT_NE(outcome.out.find(planner + ": "), std::string::npos) << planner;
+        EXPECT_NE(outcome.out.find(core::planner_source(planner)), std::string::npos) << planner;
+    }
+    EXPECT_NE(outcome.out.find("one of dijkstra, a-star; default a-star"), std::string::npos);
+}
 
 TEST(SolveProgram, SameSeedSameBytesOtherSeedOtherPath) {
     const TemporaryFolder folder;
@@ -165,6 +203,9 @@ TEST(SolveProgram, WrongUsageNamesWhatThereIs) {
     const Outcome range = solve(testcase("3ASV"), file, {"--set", "pull-share=2"});
     EXPECT_EQ(range.exit_code, 2);
     EXPECT_NE(range.err.find("from 0 to 1"), std::string::npos) << range.err;
+    const Outcome mix = solve(testcase("3ASV"), file, {"--planner", "rrt", "--set", "sampler=mix"});
+    EXPECT_EQ(mix.exit_code, 2);
+    EXPECT_NE(mix.err.find("mix-uniform=1"), std::string::npos) << mix.err;
     EXPECT_EQ(folder.entries(), 0);
 }
 

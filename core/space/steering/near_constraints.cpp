@@ -128,9 +128,11 @@ void NearConstraints::near_boxes(const Pose& pose, double reach) {
     const std::size_t pieces = std::max<std::size_t>(chain_.broom_count(), 1);
     for (std::size_t k = 0; k < pieces; ++k) {
         const std::size_t other = chain_.broom_count() == 0 ? k : k + 1;
-        const auto consider = [&](const geometry::Box& box) { near_box(k, box, pose, reach); };
+        const auto consider = [&](std::size_t i, const geometry::Box& box) {
+            near_box(k, i, box, pose, reach);
+        };
         if (field_.few())
-            for (std::size_t b = 0; b < field_.all().size(); ++b) consider(field_.all()[b]);
+            for (std::size_t i = 0; i < field_.all().size(); ++i) consider(i, field_.all()[i]);
         else
             field_.visit_within({{pose.x[k], pose.y[k]}, {pose.x[other], pose.y[other]}}, reach,
                                 consider);
@@ -139,8 +141,8 @@ void NearConstraints::near_boxes(const Pose& pose, double reach) {
 
 /// Keeps the broom on its side of the axis along which it is farthest from the box: both of its
 /// ends off a side, or its line off a corner.
-void NearConstraints::near_box(std::size_t k, const geometry::Box& box, const Pose& pose,
-                               double reach) {
+void NearConstraints::near_box(std::size_t k, std::size_t index, const geometry::Box& box,
+                               const Pose& pose, double reach) {
     const bool point = chain_.broom_count() == 0;
     const std::size_t other = point ? k : k + 1;
     const double along_x = std::max(box.low.x - std::max(pose.x[k], pose.x[other]),
@@ -158,8 +160,12 @@ void NearConstraints::near_box(std::size_t k, const geometry::Box& box, const Po
         const double across = side * (nx * (corner_x - pose.x[k]) + ny * (corner_y - pose.y[k]));
         if (across > reach) return;
         if (across > along_x && across > along_y) {
-            near_.push_back(
-                {.kind = Kind::corner, .index = k, .nx = corner_x, .ny = corner_y, .offset = side});
+            near_.push_back({.kind = Kind::corner,
+                             .index = k,
+                             .box = index,
+                             .nx = corner_x,
+                             .ny = corner_y,
+                             .offset = side});
             return;
         }
     }
@@ -170,6 +176,7 @@ void NearConstraints::near_box(std::size_t k, const geometry::Box& box, const Po
         const double sign = low - at > at - high ? -1 : 1;
         near_.push_back({.kind = Kind::point,
                          .index = k,
+                         .box = index,
                          .fraction = end == k ? 0.0 : 1.0,
                          .nx = by_x ? sign : 0,
                          .ny = by_x ? 0 : sign,

@@ -15,10 +15,21 @@ namespace asv::core {
 struct NearConstraint {
     enum class Kind { turn, point, corner, first_turn, last_turn, area, closing };
     Kind kind = Kind::turn;
-    std::size_t index = 0;  ///< broom, or turn
-    double fraction = 0;    ///< point: where on the broom, 0 or 1
-    double nx = 0, ny = 0;  ///< point: axis away from what is near; corner: where it is
-    double offset = 0;      ///< point: where along the axis that ends; corner: side of the broom
+    static constexpr std::size_t no_box = static_cast<std::size_t>(-1);
+    std::size_t index = 0;     ///< broom, or turn
+    std::size_t box = no_box;  ///< obstacle
+    double fraction = 0;       ///< point: where on the broom, 0 or 1
+    double nx = 0, ny = 0;     ///< point: axis away from what is near; corner: where it is
+    double offset = 0;         ///< point: where along the axis that ends; corner: side of the broom
+
+    /// Is this about the same broom and box as the other?
+    bool same_pair(const NearConstraint& other) const {
+        return box != no_box && box == other.box && index == other.index;
+    }
+    /// Is it, of those, along the same axis?
+    bool same_axis(const NearConstraint& other) const {
+        return kind == other.kind && nx == other.nx && ny == other.ny && offset == other.offset;
+    }
 };
 
 /// Finds the requirements that are near a configuration and linearises them. Gradients are by the
@@ -45,7 +56,8 @@ class NearConstraints {
 
   private:
     void near_boxes(const Pose& pose, double reach);
-    void near_box(std::size_t broom, const geometry::Box& box, const Pose& pose, double reach);
+    void near_box(std::size_t broom, std::size_t index, const geometry::Box& box, const Pose& pose,
+                  double reach);
     void near_bounds(const Pose& pose, double reach);
     void closing_turn_gradient(std::size_t end, double sign, const Pose& pose,
                                std::span<double> by_heading) const;

@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# Makes the pictures of the README and the pages of docs/gallery/ from problems in testcases/.
+#
+#   make_pictures.sh                   everything, for every planner that asv-solve lists
+#   make_pictures.sh PLANNER...        the pages of these planners alone, and the list of pages
+#
+# Pages and pictures come together: no page says a figure that another run of this would change.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+bin=build/release/bin
+gallery=docs/gallery
+seconds=30
+planner_cases=(3ASV 3ASV-clutter-20 7ASV-x6)
+shown_cases=(3ASV-maze 3ASV-spiral 3ASV-clutter-100 7ASV-x4 15ASV 15ASV-x6 25ASV-crossing)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+planners() { "$bin/asv-solve" --list-planners | grep -v '^ ' | cut -d: -f1; }
+summary() { "$bin/asv-solve" --list-planners | sed -n "s/^$1: //p"; }
+
+# solve PLANNER CASE: fails when the planner finds no solution in time.
+solve() {
+    "$bin/asv-solve" "testcases/$2.txt" "$work/$2.txt" --planner "$1" --seed 1 --threads 1 --quiet \
+        --time-limit "$seconds" --optimize 1 --trees "$work/$2.trees.json" --stats "$work/$2.stats.json"
+}
+
+# draw CASE FILE [OPTION...]: the solution that was found last.
+draw() {
+    local case=$1 file=$2
+    shift 2
+    "$bin/asv-view" "testcases/$case.txt" "$work/$case.txt" --stats "$work/$case.stats.json" "$@" -o "$file"
+}
+
+# figure NAME TITLE CASE [OPTION...]: its picture, and on standard output its place in a page.
+figure() {
+    local name=$1 title=$2 case=$3 kind=svg
+    shift 3
+    rm -f "$gallery/$name.svg" "$gallery/$name.png"
+    draw "$case" "$work/$name.svg" "$@"
+    # Trees of many thousand nodes take fewer bytes as pixels.
+    if [ "$(stat -c %s "$work/$name.svg")" -gt 400000 ]; then kind=png; fi
+    draw "$case" "$gallery/$name.$kind" "$@"
+    echo "<img src=\"$name.$kind\" alt=\"$title\" width=\"600\">"
+}
+
+planner_page() {
+    local planner=$1 case
+    echo "# $planner"
+    echo
+    echo "$(summary "$planner")."
+    echo
+    echo "The search trees or the roadmap, drawn through ASV 1, and the path that came of them after one second of"
+    echo "improvement:"
+    echo
+    echo "    asv-solve testcases/CASE.txt CASE.solution.txt --planner $planner --seed 1 --threads 1 --trees CASE.trees.json"
+    echo "    asv-view testcases/CASE.txt CASE.solution.txt --trees CASE.trees.json -o CASE.svg"
+    for case in "${planner_cases[@]}"; do
+        printf '\n## %s\n\n' "$case"
+        if solve "$planner" "$case"; then
+            figure "$planner-$case" "$case, solved by $planner" "$case" --trees "$work/$case.trees.json"
+        else
+            echo "Not solved within $seconds s."
+        fi
+    done
+}
+
+index_page() {
+    local planner
+    echo "# Gallery"
+    echo
+    echo "Made by \`tools/make_pictures.sh\`. A page for each planner, with its search trees:"
+    echo
+    for planner in $(planners); do
+        if [ -e "$gallery/$planner.md" ]; then echo "- [$planner]($planner.md): $(summary "$planner")"; fi
+    done
+    printf -- '- [test cases](testcases.md) and their solutions\n'
+}
+
+testcases_page() {
+    local case
+    echo "# Test cases and their solutions"
+    echo
+    echo "Solved by \`auto\` with seed 1, one thread and one second of improvement. [asv-view](../asv-view.md) tells what a"
+    echo "picture shows, [testcases/README.md](../../testcases/README.md) what each case is for."
+    for case in "${shown_cases[@]}"; do
+        printf '\n## %s\n\n' "$case"
+        solve auto "$case"
+        figure "case-$case" "$case and its solution" "$case"
+    done
+}
+
+mkdir -p "$gallery"
+for planner in ${*:-$(planners)}; do
+    planner_page "$planner" > "$work/page"
+    mv "$work/page" "$gallery/$planner.md"
+done
+if [ $# -eq 0 ]; then
+    solve auto 7ASV
+    draw 7ASV docs/7ASV.svg
+    draw 7ASV docs/7ASV-dark.svg --theme dark
+    testcases_page > "$work/page"
+    mv "$work/page" "$gallery/testcases.md"
+fi
+index_page > "$work/page"
+mv "$work/page" "$gallery/README.md"
