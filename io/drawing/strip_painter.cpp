@@ -58,7 +58,7 @@ std::vector<Entry> legend(const Scene& scene, const Palette& colours) {
                            [&](const SceneLine& line) { return line.role == role; });
     };
     if (has(Role::path)) {
-        const bool first = !scene.trees.empty() && scene.body == core::BodyKind::chain;
+        const bool first = !scene.trees.empty();
         add_line_entry(entries, first ? words.seen_path : words.path, path_stroke(scene, middle),
                        0);
     }
