@@ -134,6 +134,7 @@ class Solver {
         stop_.request_stop();
         rows_ = std::move(attempt.search.path);
         const double cost = planning_->cost(rows_);
+        statistics.cost_of_search = cost;
         if (costs.empty() || cost < costs.back().second)
             costs.emplace_back(seconds_since(options_.started), cost);
         std::tie(statistics.time_to_first, statistics.cost_first) = costs.front();

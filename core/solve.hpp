@@ -68,6 +68,7 @@ struct TreePicture {
 struct SolveStatistics {
     double time_to_first = 0, time_total = 0;  ///< seconds
     double cost_first = 0, cost = 0;           ///< workspace units
+    double cost_of_search = 0;    ///< of the path that the search ended with, before any shortcut
     double cost_lower_bound = 0;  ///< no path costs less; 0 where there was no time for it
     std::size_t tree_nodes[2] = {0, 0};
     std::size_t iterations = 0;

@@ -27,6 +27,7 @@ void write_statistics(const std::filesystem::path& file, const RunStatistics& ru
         {"time_to_first_s", if_solved(spent.time_to_first)},
         {"time_total_s", spent.time_total},
         {"cost_first", if_solved(spent.cost_first)},
+        {"cost_of_search", if_solved(spent.cost_of_search)},
         {"cost", if_solved(spent.cost)},
         {"cost_lower_bound", spent.cost_lower_bound},
         {"primitive_steps", run.primitive_steps},

@@ -11,14 +11,6 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-Finding at_point(bool ok, std::size_t point, double room) {
-    Finding finding;
-    finding.ok = ok;
-    finding.offender.asv = point;
-    finding.offender.room = room;
-    return finding;
-}
-
 }  // namespace
 
 JointReader::JointReader(const PlanarArm& arm, std::vector<double> reference)
@@ -57,7 +49,7 @@ Finding check_link_lengths(State state, const PlanarArm& arm, const Requirements
 
 Finding check_base(State state, const geometry::Point& base, const Requirements& requirements) {
     const double off = distance(state[0], base);
-    return at_point(off <= requirements.tolerance, 0, requirements.tolerance - off);
+    return at_asv(off <= requirements.tolerance, 0, requirements.tolerance - off);
 }
 
 Finding check_joint_limits(std::span<const double> angles, const PlanarArm& arm,
@@ -68,7 +60,7 @@ Finding check_joint_limits(std::span<const double> angles, const PlanarArm& arm,
         if (range.wraps) continue;
         const double room =
             std::min(angles[i] - range.low, range.high - angles[i]) + requirements.tolerance;
-        keep_worse(worst, at_point(room >= 0, i, room));
+        keep_worse(worst, at_asv(room >= 0, i, room));
     }
     return worst;
 }
@@ -79,7 +71,7 @@ Finding check_turns(std::span<const double> angles, std::span<const double> want
     for (std::size_t i = 0; i < angles.size(); ++i) {
         const double turns = std::round((angles[i] - wanted[i]) / full_turn);
         if (arm.joints[i].wraps || turns == 0) continue;
-        keep_worse(worst, at_point(false, i, -std::abs(turns) * full_turn));
+        keep_worse(worst, at_asv(false, i, -std::abs(turns) * full_turn));
     }
     return worst;
 }

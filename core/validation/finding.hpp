@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -25,6 +26,15 @@ inline bool worse(const Finding& a, const Finding& b) {
 
 inline void keep_worse(Finding& worst, Finding candidate) {
     if (worse(candidate, worst)) worst = std::move(candidate);
+}
+
+/// What one ASV, point or joint leaves or violates.
+inline Finding at_asv(bool ok, std::size_t asv, double room) {
+    Finding finding;
+    finding.ok = ok;
+    finding.offender.asv = asv;
+    finding.offender.room = room;
+    return finding;
 }
 
 /// Adds up the findings of one check.

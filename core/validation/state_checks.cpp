@@ -29,14 +29,6 @@ double heading(const Point& from, const Point& to) {
     return std::atan2(to.y - from.y, to.x - from.x);
 }
 
-Finding at_asv(bool ok, std::size_t asv, double room) {
-    Finding finding;
-    finding.ok = ok;
-    finding.offender.asv = asv;
-    finding.offender.room = room;
-    return finding;
-}
-
 }  // namespace
 
 double distance(const Point& a, const Point& b) {

@@ -50,11 +50,12 @@ std::vector<std::string> complaints(const Exhibit& exhibit);
 
 /// What a legend calls the parts of a body.
 struct BodyWords {
-    std::string first;  ///< the point that has an eye
-    std::string chain;  ///< the whole body
-    std::string path;   ///< the way of one of its points
-    std::string link;   ///< what can collide, empty for a point
-    std::string seen;   ///< the point whose places a tree shows
+    std::string first;      ///< the point that has an eye
+    std::string chain;      ///< the whole body
+    std::string path;       ///< the way of one of its points
+    std::string link;       ///< what can collide, empty for a point
+    std::string seen;       ///< the point whose places a tree shows
+    std::string seen_path;  ///< its way
 };
 BodyWords words_for(core::BodyKind body);
 

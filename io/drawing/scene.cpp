@@ -57,9 +57,9 @@ class Composer {
     void add_ways() {
         const std::vector<std::size_t> stops = ghost_states();
         scene.ghosts = stops.size() - 2;
-        // Search trees are shown through ASV 1: its path is the one that came of them.
-        const std::size_t paths = exhibit_.trees ? 1 : exhibit_.problem.asv_count();
-        for (std::size_t asv = 0; asv < paths; ++asv) {
+        for (std::size_t asv = 0; asv < exhibit_.problem.asv_count(); ++asv) {
+            // Search trees are shown through one point: its path is the one that came of them.
+            if (exhibit_.trees && asv != point_of_trees()) continue;
             for (std::size_t k = 0; k + 1 < stops.size(); ++k) add_way(asv, stops[k], stops[k + 1]);
         }
         for (std::size_t k = 1; k + 1 < stops.size(); ++k) {
@@ -136,6 +136,11 @@ class Composer {
     double progress(std::size_t state) const {
         const double total = exhibit_.measures.back().cost;
         return total == 0 ? 0 : exhibit_.measures[state].cost / total;
+    }
+
+    /// ASV 1, or the tip of an arm.
+    std::size_t point_of_trees() const {
+        return exhibit_.problem.arm() ? exhibit_.problem.asv_count() - 1 : 0;
     }
 
     /// By all points together; an arm's cost is no distance.

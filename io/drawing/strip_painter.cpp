@@ -58,8 +58,8 @@ std::vector<Entry> legend(const Scene& scene, const Palette& colours) {
                            [&](const SceneLine& line) { return line.role == role; });
     };
     if (has(Role::path)) {
-        const bool first = !scene.trees.empty() && scene.body == core::BodyKind::chain;
-        add_line_entry(entries, first ? "path of ASV 1" : words.path, path_stroke(scene, middle),
+        const bool first = !scene.trees.empty();
+        add_line_entry(entries, first ? words.seen_path : words.path, path_stroke(scene, middle),
                        0);
     }
     if (has(Role::start_closing)) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Plans for the arms and the point of testcases/bodies and prints the tables of docs/bodies.md.
-#   bodies.sh arms-plane|arms-map|arms-workshop|point|rrt-star|pictures [SEEDS]
+#   bodies.sh arms-plane|arms-map|arms-best|arms-workshop|point|rrt-star|pictures [SEEDS]
 # ASV_BIN: folder of the programs. Every path passes asv-validate --continuous, or the script fails.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -25,13 +25,9 @@ plan() {
             --threads 1 --stats "$work/stats.json" --quiet "$@" || continue
         "$bin/asv-validate" "$cases/$case.json" "$work/s.txt" --continuous --quiet > "$work/verdict" ||
             { cat "$work/verdict" >&2; exit 1; }
-        echo "$(number cost_first) $(number cost) $(vertices) $(number time_to_first_s) $(number cost_lower_bound) $(search_cost) $(number time_total_s)" >> "$work/rows"
+        echo "$(number cost_first) $(number cost) $(vertices) $(number time_to_first_s) $(number cost_lower_bound) $(number cost_of_search) $(number time_total_s)" >> "$work/rows"
     done
 }
-
-# The cost that the search itself ended with, before any shortcut: where the history has the last entry
-# that was made while it searched.
-search_cost() { number cost_of_search || number cost; }
 
 # mean COLUMN FORMAT, and the least and the greatest of a column.
 mean() { awk -v c="$1" -v f="$2" '{s += $c} END {if (NR) printf f, s / NR; else printf "-"}' "$work/rows"; }
@@ -41,7 +37,8 @@ solved() { printf '%s of %s' "$(wc -l < "$work/rows")" "$seeds"; }
 # The planners for the point and their settings; with fewer samples for pictures.
 point_settings() {
     local fewer=${1:-}
-    echo "prm-grid --set samples=${fewer:-1000}"
+    # Two of three cells of the town are free.
+    echo "prm-grid --set grid-cells=${fewer:-1000} --set samples=$((${fewer:-1000} * 63 / 100))"
     echo "prm-random --set samples=${fewer:-1000}"
     echo "prm-gaussian --set samples=${fewer:-2000} --set sigma=10"
     echo "prm-bridge --set samples=${fewer:-1000} --set sigma=15"
@@ -72,6 +69,14 @@ arms-map | arms-workshop)
         done
     done
     ;;
+arms-best)
+    # What is the true cost on the map? The best that long improvement finds.
+    printf '| joints | straight | best found | worst found |\n|---|---|---|---|\n'
+    for n in 1 3 4 5 6; do
+        plan "arm-$n-map" rrt-connect --optimize 5
+        printf '| %s | %s | %s | %s |\n' $n "$(mean 5 %.4f)" "$(extreme 2 least)" "$(extreme 2 greatest)"
+    done
+    ;;
 point)
     # The settings are those of the reports; the best of the visibility graph is the lower bound.
     printf '| planner | solved | first cost | over the shortest | after shortcuts | vertices | ms |\n|---|---|---|---|---|---|---|\n'
@@ -100,8 +105,10 @@ pictures)
         "$bin/asv-solve" "$cases/point-town.json" "$work/s.txt" --planner "$planner" --threads 1 --optimize 0 \
             --quiet --time-limit 30 --trees "$work/trees.json" --stats "$work/stats.json" $settings
         "$bin/asv-view" "$cases/point-town.json" "$work/s.txt" --trees "$work/trees.json" \
-            --stats "$work/stats.json" -o "$out/town-$planner.svg"
-    done < <(point_settings 300)
+            --stats "$work/stats.json" -o "$work/picture.svg"
+        # Two decimals of a point are more than one sees.
+        sed -E 's/([0-9]+\.[0-9]{2})[0-9]+/\1/g' "$work/picture.svg" > "$out/town-$planner.svg"
+    done < <(point_settings 250)
     ;;
 *)
     echo "unknown table $table" >&2

@@ -27,11 +27,13 @@ struct EveryScenario : testing::TestWithParam<std::string> {
     test::TemporaryFolder folder;
 };
 
-INSTANTIATE_TEST_SUITE_P(Ours, EveryScenario, testing::ValuesIn(scenarios()), [](const auto& info) {
-    std::string name = fs::path(info.param).stem().string();
+std::string test_name(const testing::TestParamInfo<std::string>& scenario) {
+    std::string name = fs::path(scenario.param).stem().string();
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Ours, EveryScenario, testing::ValuesIn(scenarios()), test_name);
 
 TEST_P(EveryScenario, IsSolvedValidatedAndShown) {
     const std::string solution = folder / "s.txt", again = folder / "t.txt",
