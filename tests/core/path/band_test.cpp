@@ -195,7 +195,7 @@ struct SlidPath {
             const Row from(rows.end() - static_cast<std::ptrdiff_t>(d), rows.end());
             Row to(from);
             if (!sampler.sample(rng, to)) continue;
-            unwrap(to, from, d > 2 ? std::optional<std::size_t>(2) : std::nullopt);
+            unwrap(to, from, d > 2 ? WrappingAngles{2, 1} : WrappingAngles{});
             steering.slide(from, to, rows);
         }
     }
