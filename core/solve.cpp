@@ -66,8 +66,11 @@ class Solver {
         } else {
             improve_path();
             finish();
-            if (seconds_since(options_.started) + time_of_bound() < options_.time_limit)
-                result_.statistics.cost_lower_bound = cost_lower_bound(given_).total;
+            if (seconds_since(options_.started) + time_of_bound() < options_.time_limit) {
+                const CostLowerBound bound = cost_lower_bound(given_);
+                result_.statistics.cost_lower_bound = bound.total;
+                result_.statistics.steps_lower_bound = least_steps(given_, bound);
+            }
         }
         result_.statistics.time_total = seconds_since(options_.started);
         return std::move(result_);

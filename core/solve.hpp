@@ -70,6 +70,7 @@ struct SolveStatistics {
     double cost_first = 0, cost = 0;           ///< workspace units
     double cost_of_search = 0;    ///< of the path that the search ended with, before any shortcut
     double cost_lower_bound = 0;  ///< no path costs less; 0 where there was no time for it
+    std::size_t steps_lower_bound = 0;  ///< no path has fewer primitive steps; 0 where not known
     std::size_t tree_nodes[2] = {0, 0};
     std::size_t iterations = 0;
     std::uint64_t state_checks = 0, edge_checks = 0;

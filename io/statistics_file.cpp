@@ -31,6 +31,7 @@ void write_statistics(const std::filesystem::path& file, const RunStatistics& ru
         {"cost", if_solved(spent.cost)},
         {"cost_lower_bound", spent.cost_lower_bound},
         {"primitive_steps", run.primitive_steps},
+        {"primitive_steps_lower_bound", spent.steps_lower_bound},
         {"tree_nodes", spent.tree_nodes},
         {"iterations", spent.iterations},
         {"state_checks", spent.state_checks},

@@ -151,9 +151,11 @@ void report(const Arguments& arguments, const core::SolveResult& result) {
     if (spent.cost_lower_bound > 0)
         std::cerr << ", at most " << spent.cost / spent.cost_lower_bound
                   << " times the least possible";
-    std::cerr << ", " << result.solution->path.size() - 1 << " steps, first path after "
-              << spent.time_to_first << " s, all " << spent.time_total << " s, seed "
-              << arguments.solve.seed << '\n';
+    std::cerr << ", " << result.solution->path.size() - 1 << " steps";
+    if (spent.steps_lower_bound > 0)
+        std::cerr << " (any path has " << spent.steps_lower_bound << " or more)";
+    std::cerr << ", first path after " << spent.time_to_first << " s, all " << spent.time_total
+              << " s, seed " << arguments.solve.seed << '\n';
 }
 
 ExitCode exit_code(core::SolveStatus status) {

@@ -1,6 +1,7 @@
 #include "asv/core/path/improve.hpp"
 
 #include "asv/core/path/band/elastic_band.hpp"
+#include "asv/core/path/hybridise.hpp"
 #include "asv/core/path/shorten.hpp"
 
 namespace asv::core {
@@ -28,6 +29,7 @@ class Improvement {
     Improvement(MotionChecker& checker, const Metric& metric, SlideSteering& steering, double work,
                 const Limits& limits, Rng& rng, const std::function<void(double)>& on_better)
         : checker_(checker),
+          metric_(metric),
           steering_(steering),
           band_(checker, metric),
           limits_(limits),
@@ -43,7 +45,10 @@ class Improvement {
             AnotherPath other = another(rng_);
             end_ -= other.work;
             failures = other.path.empty() ? failures + 1 : 0;
-            if (!other.path.empty()) shorten(std::move(other.path));
+            if (other.path.empty()) continue;
+            const Rows best = best_path_;
+            shorten(std::move(other.path));
+            cross(best);
         }
         return std::move(best_path_);
     }
@@ -73,7 +78,18 @@ class Improvement {
         }
     }
 
+    /// What the present path and the best one before it give together.
+    void cross(const Rows& best) {
+        if (exhausted()) return;
+        const Bridge slide = [&](auto from, auto to, Rows& between) {
+            return !exhausted() && steering_.slide(from, to, between) == Steered::reached;
+        };
+        Rows crossed = hybridise(best, path_, metric_, cost_, slide);
+        if (cost_.path(crossed) < best_ * (1 - least_round_gain)) shorten(std::move(crossed));
+    }
+
     void shortcut() {
+        const auto valid = [&](auto from, auto to) { return checker_.valid(from, to); };
         const Bridge straight = [&](auto from, auto to, Rows& between) {
             if (!checker_.valid(from, to)) return false;
             between.assign(to.begin(), to.end());
@@ -82,12 +98,27 @@ class Improvement {
         const Bridge slide = [&](auto from, auto to, Rows& between) {
             return steering_.slide(from, to, between) == Steered::reached;
         };
+        const std::size_t angles = checker_.chain().broom_count();
         Shortcutter shortcutter(checker_.chain(), path_);
         for (int failures = 0; failures < patience && !exhausted();) {
             const double shares[] = {1.0, 0.5, 0.25, 0.1};
             const double share = shares[rng_.below(4)];
-            const bool gained =
-                shortcutter.attempt(rng_.chance(0.5) ? straight : slide, share, rng_);
+            bool gained = false;
+            switch (rng_.below(3)) {
+                case 0:
+                    gained = shortcutter.attempt(straight, share, rng_);
+                    break;
+                case 1:
+                    gained = shortcutter.attempt(slide, share, rng_);
+                    break;
+                default: {
+                    // The position alone, or the heading, or one joint.
+                    const std::size_t which = rng_.below(1 + angles);
+                    gained = which == 0
+                                 ? shortcutter.attempt_partial(0, 2, valid, share, rng_)
+                                 : shortcutter.attempt_partial(1 + which, 1, valid, share, rng_);
+                }
+            }
             failures = gained ? 0 : failures + 1;
             if (gained) keep(shortcutter.path());
         }
@@ -112,6 +143,7 @@ class Improvement {
     }
 
     MotionChecker& checker_;
+    const Metric& metric_;
     SlideSteering& steering_;
     ElasticBand band_;
     const Limits& limits_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "asv/core/path/asv_space.hpp"
@@ -12,6 +13,10 @@ struct CostLowerBound {
     double total = 0;             ///< of the sum over all ASVs
     std::vector<double> lengths;  ///< of the way of each ASV, or of an arm; their sum is the total
 };
+
+/// No solution has fewer primitive steps than this: that of the ASV with the longest way, in steps
+/// of the greatest length. 0 where no ASV moves freely (arms).
+std::size_t least_steps(const Problem& problem, const CostLowerBound& bound);
 
 /// A lower bound of the cost of every path from the start to the goal: the sum of the shortest
 /// paths that each ASV would have on its own in the free space of make_asv_space, less what the

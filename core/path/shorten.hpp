@@ -37,6 +37,16 @@ class Shortcutter {
     /// One attempt with the places' distance up to the given share of the whole path.
     bool attempt(const Bridge& bridge, double most_share, Rng& rng);
 
+    /// What tells whether a straight motion is valid.
+    using MotionValid =
+        std::function<bool(std::span<const double> from, std::span<const double> to)>;
+
+    /// The same for some coordinates alone, `count` from `first` on: they go straight from place to
+    /// place, as far as the path has come at each way point, and the others stay as they are
+    /// (partial shortcut).
+    bool attempt_partial(std::size_t first, std::size_t count, const MotionValid& valid,
+                         double most_share, Rng& rng);
+
   private:
     struct Place {
         std::size_t after;  ///< way point before the place
@@ -45,13 +55,18 @@ class Shortcutter {
     Place at(double cost) const;
     void configuration(const Place& place, std::vector<double>& row) const;
     void measure();
+    bool choose(double most_share, Rng& rng);
+    bool gains();
+    void replace();
 
     std::size_t dimension_;
     Cost motion_cost_;
     Rows path_;
     std::vector<double> cumulative_;
-    std::vector<double> from_, to_;
-    Rows between_;
+    Place first_{}, last_{};  ///< the places to be joined
+    bool from_start_ = false, to_goal_ = false;
+    std::vector<double> from_, to_;  ///< their configurations
+    Rows between_;                   ///< what leads from the first to the second
 };
 
 }  // namespace asv::core

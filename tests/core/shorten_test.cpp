@@ -6,6 +6,7 @@
 #include "oracle.hpp"
 
 #include "asv/core/path/cost.hpp"
+#include "asv/core/path/hybridise.hpp"
 #include "asv/core/path/improve.hpp"
 #include "asv/core/planning/two_trees.hpp"
 #include "asv/core/space/sampling/shape_sampler.hpp"
@@ -136,6 +137,64 @@ TEST(Shortcutter, KeepsEndsAndValidityAndGains) {
         const double expected = way(wanderer.world.chain, shortcutter.path());
         ASSERT_NEAR(shortcutter.cost(), expected, 2e-3 * expected);
     });
+}
+
+TEST(Shortcutter, PartialShortcutsKeepEndsAndValidityAndGain) {
+    std::size_t gains = 0;
+    for_seeds(scaled(15), [&](Rng& rng) {
+        const std::size_t sizes[] = {1, 3, 7};
+        Wanderer wanderer(rng, sizes[rng.below(3)], 4);
+        const std::size_t d = wanderer.world.chain.dimension();
+        if (wanderer.path.size() < 4 * d) return;
+        Shortcutter shortcutter(wanderer.world.chain, wanderer.path);
+        const auto valid = [&](auto from, auto to) { return wanderer.checker.valid(from, to); };
+        for (int i = 0; i < 60; ++i) {
+            const double before = shortcutter.cost();
+            const Rows rows = shortcutter.path();
+            const std::size_t first = rng.below(d - 1), count = first == 0 ? 2 : 1;
+            if (shortcutter.attempt_partial(first, count, valid, 0.7, rng)) {
+                ++gains;
+                ASSERT_LT(shortcutter.cost(), before);
+            } else {
+                ASSERT_EQ(shortcutter.path(), rows);
+            }
+        }
+        wanderer.expect_same_ends(shortcutter.path());
+        Oracle(wanderer.world).expect_valid_path(shortcutter.path());
+    });
+    EXPECT_GT(gains, 20U);
+}
+
+/// Bridges that are straight, in a plane without obstacles.
+bool straight_bridge(std::span<const double>, std::span<const double> to, Rows& between) {
+    between.assign(to.begin(), to.end());
+    return true;
+}
+
+TEST(Hybridise, TakesTheBetterHalfOfEach) {
+    const BroomWorld world(testing::problem({{0.1, 0.5}}, {{0.9, 0.5}}), Anchor::centroid);
+    const Rows first_half_good{0.1, 0.5, 0.5, 0.5, 0.7, 0.9, 0.9, 0.5};
+    const Rows last_half_good{0.1, 0.5, 0.3, 0.1, 0.5, 0.5, 0.9, 0.5};
+    MotionCost cost(world.chain);
+    for (const bool swapped : {false, true}) {
+        const Rows best = hybridise(swapped ? last_half_good : first_half_good,
+                                    swapped ? first_half_good : last_half_good, world.metric, cost,
+                                    straight_bridge);
+        EXPECT_NEAR(cost.path(best), 0.8, 1e-12);
+        EXPECT_EQ(nth(best, 2, 0)[0], 0.1);
+        EXPECT_EQ(best[best.size() - 2], 0.9);
+    }
+}
+
+TEST(Hybridise, WithoutBridgesOrWithAnotherGoalThePathStays) {
+    const BroomWorld world(testing::problem({{0.1, 0.5}}, {{0.9, 0.5}}), Anchor::centroid);
+    const Rows path{0.1, 0.5, 0.4, 0.6, 0.9, 0.5}, other{0.1, 0.5, 0.4, 0.9, 0.9, 0.5};
+    MotionCost cost(world.chain);
+    const Bridge none = [](auto, auto, Rows&) { return false; };
+    EXPECT_NEAR(cost.path(hybridise(path, other, world.metric, cost, none)), cost.path(path),
+                1e-12);
+    const Rows elsewhere{0.1, 0.5, 0.2, 0.5};
+    EXPECT_EQ(hybridise(path, elsewhere, world.metric, cost, straight_bridge), path);
 }
 
 TEST(Shortcutter, DetoursThatCostMoreAreNotTaken) {

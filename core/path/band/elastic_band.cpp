@@ -50,22 +50,10 @@ ElasticBand::ElasticBand(MotionChecker& checker, const Metric& metric)
       pose_(chain_.make_pose()) {}
 
 void ElasticBand::take(const Rows& path, double spacing) {
-    Rows& rows = path_.rows;
-    rows.assign(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(dimension_));
-    for (std::size_t i = dimension_; i < path.size(); i += dimension_) {
-        const double* a = path.data() + i - dimension_;
-        const double* b = path.data() + i;
-        const double length = metric_.distance({a, dimension_}, {b, dimension_});
-        const auto pieces = static_cast<std::size_t>(length / spacing) + 1;
-        for (std::size_t piece = 1; piece < pieces; ++piece) {
-            const double t = static_cast<double>(piece) / static_cast<double>(pieces);
-            for (std::size_t k = 0; k < dimension_; ++k) rows.push_back(a[k] + t * (b[k] - a[k]));
-        }
-        rows.insert(rows.end(), b, b + dimension_);
-    }
+    path_.rows = resampled(path, metric_, spacing);
     spacing_ = spacing;
     damping_ = first_damping / spacing;
-    cost_now_ = cost_.path(rows);
+    cost_now_ = cost_.path(path_.rows);
 }
 
 double ElasticBand::tighten(const std::function<bool()>& stop) {

@@ -6,6 +6,7 @@
 
 #include "asv/core/chain/chain.hpp"
 #include "asv/core/planning/result.hpp"
+#include "asv/core/space/metric.hpp"
 
 namespace asv::core {
 
@@ -39,5 +40,9 @@ struct WayPoints {
     std::vector<Pose> poses, middles;
     std::vector<double> half_way;
 };
+
+/// The rows of a path with way points put in so that no motion is longer than spacing (in the
+/// metric).
+Rows resampled(const Rows& path, const Metric& metric, double spacing);
 
 }  // namespace asv::core
