@@ -1,5 +1,8 @@
 #include "asv/core/planning/samplers.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace asv::core {
 
 std::vector<std::size_t> grid_divisions(std::span<const double> extents, std::size_t count) {
@@ -19,9 +22,13 @@ std::vector<std::size_t> grid_divisions(std::span<const double> extents, std::si
     }
 }
 
-void grid_centre(std::span<const std::size_t> divisions, std::size_t k, std::span<double> unit) {
+void grid_point(std::span<const std::size_t> divisions, std::size_t k, std::span<double> unit) {
     for (std::size_t i = 0; i < divisions.size(); ++i) {
-        unit[i] = (static_cast<double>(k % divisions[i]) + 0.5) / static_cast<double>(divisions[i]);
+        // Multiples of the golden ratio spread evenly, and no two of them are alike.
+        const double aside = static_cast<double>(i + 1) * std::numbers::phi;
+        const double place = 0.4 + 0.2 * (aside - std::floor(aside));
+        unit[i] =
+            (static_cast<double>(k % divisions[i]) + place) / static_cast<double>(divisions[i]);
         k /= divisions[i];
     }
 }

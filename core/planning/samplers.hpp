@@ -52,10 +52,13 @@ struct OwnSampler {
 /// halved, thirded, ... as long as the count allows. At least 1 each.
 std::vector<std::size_t> grid_divisions(std::span<const double> extents, std::size_t count);
 
-/// The centre of cell k of a grid in the unit cube. Precondition: k < product of the divisions.
-void grid_centre(std::span<const std::size_t> divisions, std::size_t k, std::span<double> unit);
+/// A point of cell k of a grid in the unit cube: near its centre, a little aside along each
+/// coordinate, the same for all cells. Centres are symmetric to each other, so that links fold
+/// exactly back on the base's height and move exactly along a wall: motions that graze it all the
+/// way take forever to settle. Precondition: k < product of the divisions.
+void grid_point(std::span<const std::size_t> divisions, std::size_t k, std::span<double> unit);
 
-/// The centres of a regular grid one after the other, the same ones each time; when they are used
+/// The points of a regular grid one after the other, the same ones each time; when they are used
 /// up, those of a grid of twice as many. Blind to gaps finer than its cells.
 class GridSampler {
   public:
@@ -74,7 +77,7 @@ class GridSampler {
             count_ *= 2;
             unit_.resize(out.size());
         }
-        grid_centre(divisions_, next_++, unit_);
+        grid_point(divisions_, next_++, unit_);
         return space.from_unit_cube(unit_, out) && space.valid(out);
     }
 

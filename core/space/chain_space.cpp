@@ -75,8 +75,9 @@ double ChainSpace::extent(std::size_t coordinate) const {
     const geometry::Box& bounds = world_.constraints.bounds;
     if (coordinate == 0) return bounds.high.x - bounds.low.x;
     if (coordinate == 1) return bounds.high.y - bounds.low.y;
-    // Half a circle is as far as a heading can be off. Of the turns, the total goes up to a full
-    // circle, which moves a chain as much as the mean of the joints does; a share of it less.
+    // The heading goes round a full circle. The cube's total turn and shares of it are no single
+    // coordinates of the metric; roughly, the total moves the chain as half a circle of the first
+    // joint does, and each share as that much over the number of joints.
     const double share = coordinate < 4 ? 1 : 1 / static_cast<double>(world_.chain.turn_count());
     return std::numbers::pi * world_.metric.scale(coordinate) * (coordinate == 2 ? 2 : share);
 }

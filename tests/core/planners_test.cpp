@@ -100,17 +100,13 @@ TEST(Settings, TakeEveryValueOfTheirRange) {
 }
 
 TEST(Settings, EachSetsItselfAlone) {
-    for_settings([](Planner&, const Setting& setting) {
-        for (const auto planner_name : planner_names()) {
-            Planner planner = planner_named(planner_name), untouched = planner;
-            const auto all = settings(planner);
-            if (std::ranges::find(all, setting.name, &Setting::name) == all.end()) continue;
-            const double other = setting.get() == setting.low ? setting.high : setting.low;
-            set(planner, setting.name, text(other, &setting));
-            for (const Setting& s : all) {
-                if (s.name != setting.name) {
-                    EXPECT_EQ(s.get(), value_of(untouched, s.name)) << s.name;
-                }
+    for_settings([](Planner& given, const Setting& setting) {
+        Planner planner = planner_named(name(given)), untouched = planner;
+        const double other = setting.get() == setting.low ? setting.high : setting.low;
+        set(planner, setting.name, text(other, &setting));
+        for (const Setting& s : settings(planner)) {
+            if (s.name != setting.name) {
+                EXPECT_EQ(s.get(), value_of(untouched, s.name)) << s.name;
             }
         }
     });

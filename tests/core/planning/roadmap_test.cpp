@@ -126,6 +126,23 @@ TEST(Prm, KeepsTheRoadmapForFurtherQueries) {
     EXPECT_EQ(roadmap.size(), size + 2);
 }
 
+/// A space whose sampler finds nothing.
+struct BarrenSpace : PointSpace {
+    using PointSpace::PointSpace;
+    bool sample(Rng&, std::span<double>) { return false; }
+};
+
+TEST(Prm, AsksTheRoadmapWithFewerSamplesAfterItsDraws) {
+    BarrenSpace space(std::vector<Box>{});
+    PrmOptions options;
+    options.draws = 50;
+    Rng rng(1);
+    const auto result = prm(space, {Row{0.1, 0.1}, Row{0.9, 0.1}}, options, {}, rng);
+    EXPECT_EQ(result.outcome, Outcome::solved);
+    EXPECT_EQ(result.iterations, 50U);
+    EXPECT_EQ(result.path, (Rows{0.1, 0.1, 0.9, 0.1}));
+}
+
 TEST(Prm, JoinsNeighboursWithinTheRadiusOnly) {
     PointSpace space({});
     PrmOptions options;

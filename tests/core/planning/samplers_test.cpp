@@ -143,8 +143,10 @@ TEST(Samplers, MixKeepsItsWeights) {
     options.weights[static_cast<std::size_t>(SamplerKind::grid)] = 3;
     options.weights[static_cast<std::size_t>(SamplerKind::uniform)] = 1;
     const auto rows = draws(options, space, 20000);
-    const auto on_grid = [](const Row& row) {
-        const double cell = row[0] * 1000 - 0.5;
+    Row whole(2);
+    grid_point(std::vector<std::size_t>{1, 1}, 0, whole);
+    const auto on_grid = [&](const Row& row) {
+        const double cell = row[0] * 1000 - whole[0];
         return std::abs(cell - std::round(cell)) < 1e-9;
     };
     EXPECT_NEAR(share(rows, on_grid), 0.75, 0.02);
