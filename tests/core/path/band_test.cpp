@@ -195,7 +195,7 @@ struct SlidPath {
             const Row from(rows.end() - static_cast<std::ptrdiff_t>(d), rows.end());
             Row to(from);
             if (!sampler.sample(rng, to)) continue;
-            unwrap(to, from, d > 2 ? std::optional<std::size_t>(2) : std::nullopt);
+            unwrap(to, from, WrappingAngles{2, d > 2 ? 1U : 0U});
             steering.slide(from, to, rows);
         }
     }
