@@ -46,4 +46,10 @@ double FreeSpace::shortest_path_at_least(const Point& from, const Point& to, std
     return detail::taut_length(implementation_->graph, from, to, effort);
 }
 
+std::vector<Point> FreeSpace::shortest_path_points(const Point& from, const Point& to,
+                                                   std::size_t effort) {
+    if (!connected(from, to)) return {};
+    return detail::taut_path(implementation_->graph, from, to, effort);
+}
+
 }  // namespace asv::geometry

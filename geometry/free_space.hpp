@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "asv/geometry/primitives.hpp"
 
@@ -33,14 +34,18 @@ class FreeSpace {
     /// Are both points free and in the same component? A point where components touch is in each.
     bool connected(const Point& from, const Point& to);
 
-    /// The length of the shortest path; 0 from a free point to itself, infinity where the points are
-    /// not connected. The relative error is below 1e-15 and 2e-16 more for each bend.
+    /// The length of the shortest path; 0 from a free point to itself, infinity where the points
+    /// are not connected. The relative error is below 1e-15 and 2e-16 more for each bend.
     double shortest_path(const Point& from, const Point& to);
 
     /// The same, given up in a dense crowd of boxes: a length that no path is shorter than. It is
     /// that of the shortest path unless finding it takes entering more than `effort` of the cells
     /// (each as often as it is entered, a million in about half a second).
     double shortest_path_at_least(const Point& from, const Point& to, std::size_t effort);
+
+    /// The shortest path itself: from, where it bends, to. Empty where the points are not connected
+    /// or finding it takes more than that effort.
+    std::vector<Point> shortest_path_points(const Point& from, const Point& to, std::size_t effort);
 
   private:
     struct Implementation;

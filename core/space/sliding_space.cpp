@@ -1,8 +1,22 @@
 #include "asv/core/space/sliding_space.hpp"
 
+#include <cmath>
+
+#include "asv/core/path/asv_space.hpp"
 #include "asv/core/space/sampling/passage_points.hpp"
 
 namespace asv::core {
+
+namespace {
+
+/// Cells that the search for a guide may enter, each as often as it is: some milliseconds.
+constexpr std::size_t guide_effort = 10'000;
+/// Longest way from stop to stop of a guide.
+constexpr double stop_spacing = 0.05;
+/// Standard deviation of what is drawn near a point.
+constexpr double nearby = 0.03;
+
+}  // namespace
 
 SlidingSpace::SlidingSpace(const BroomWorld& world, const SlideOptions& options)
     : world_(world),
@@ -25,6 +39,28 @@ std::optional<geometry::Point> SlidingSpace::pull_target(Rng& rng, double passag
     std::optional<geometry::Point> point;
     if (rng.chance(passage_share)) point = passage_point(world_.field, bounds, rng);
     return point ? point : free_point(world_.field, bounds, rng);
+}
+
+std::vector<geometry::Point> SlidingSpace::guide() const {
+    const Problem& problem = world_.problem;
+    const std::size_t middle = problem.asv_count() / 2;
+    geometry::FreeSpace plane = make_asv_space(problem, Reading::intended);
+    const auto bends =
+        plane.shortest_path_points(problem.start[middle], problem.goal[middle], guide_effort);
+    std::vector<geometry::Point> stops;
+    for (std::size_t i = 1; i < bends.size(); ++i) {
+        const geometry::Point &a = bends[i - 1], &b = bends[i];
+        const double pieces = std::ceil(std::hypot(b.x - a.x, b.y - a.y) / stop_spacing);
+        for (double piece = i == 1 ? 0 : 1; piece <= pieces; ++piece) {
+            const double t = piece / pieces;
+            stops.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+        }
+    }
+    return stops;
+}
+
+bool SlidingSpace::sample_near(Rng& rng, const geometry::Point& point, std::span<double> row) {
+    return sampler_.sample_near(rng, point, nearby, row);
 }
 
 geometry::Point SlidingSpace::position(std::span<const double> row, std::size_t asv) {

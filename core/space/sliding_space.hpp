@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "asv/core/planning/nearest.hpp"
 #include "asv/core/planning/result.hpp"
@@ -33,6 +34,12 @@ class SlidingSpace {
     /// A workspace point that is worth pulling an end of the chain to; passage_share of them by the
     /// bridge test. None when there is no free point to be found.
     std::optional<geometry::Point> pull_target(Rng& rng, double passage_share) const;
+    /// Stops on the shortest way that the ASV in the middle would have on its own, from its start
+    /// to its goal; empty where finding it would take long.
+    std::vector<geometry::Point> guide() const;
+    /// Draws a valid configuration whose ASV in the middle is near the point; false when it found
+    /// none in some tries.
+    bool sample_near(Rng& rng, const geometry::Point& point, std::span<double> row);
     /// Where an ASV is, 0-based, at a configuration.
     geometry::Point position(std::span<const double> row, std::size_t asv);
     std::size_t asv_count() const { return world_.chain.asv_count(); }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <vector>
 
@@ -67,7 +68,8 @@ double crossing(const Ray& ray, bool vertical, double at) {
 /// A point from which the search looks around: the start or a corner that has been reached.
 struct Viewpoint {
     Point point;
-    double length = 0;  ///< of the way from the start
+    double length = 0;         ///< of the way from the start
+    std::uint32_t before = 0;  ///< the viewpoint from which it was reached; 0, the start, of itself
 };
 
 /// What is seen from a viewpoint between two rays.
@@ -93,7 +95,7 @@ struct Task {
     enum class Kind : std::uint8_t { goal, corner, cone };
     double least = 0;
     Kind kind = Kind::goal;
-    std::uint32_t index = 0;  ///< of the corner or the cone
+    std::uint32_t index = 0;  ///< of the corner, the cone, or the viewpoint that sees the goal
     friend bool operator<(const Task& a, const Task& b) { return a.least > b.least; }
 };
 
@@ -101,7 +103,7 @@ class TautSearch {
   public:
     TautSearch(CellGraph& graph, const Point& start, const Point& goal)
         : graph_(graph), goal_(goal), goal_cells_(graph.cells_at(goal)) {
-        viewpoints_.push_back({start, 0});
+        viewpoints_.push_back({start, 0, 0});
     }
 
     /// The length, or what it is at least when more than that many cells would have to be entered.
@@ -111,6 +113,7 @@ class TautSearch {
         look(everything);
         while (!tasks_.empty()) {
             const Task task = tasks_.top();
+            if (task.kind == Task::Kind::goal) last_ = task.index;
             if (task.kind == Task::Kind::goal || entered_ > effort) return task.least;
             tasks_.pop();
             if (task.kind == Task::Kind::corner) {
@@ -120,6 +123,17 @@ class TautSearch {
             }
         }
         return std::numeric_limits<double>::infinity();
+    }
+
+    /// Start, bends and goal, once run() has found the way; else nothing.
+    std::vector<Point> path() const {
+        if (!last_) return {};
+        std::vector<Point> points{goal_};
+        for (std::uint32_t i = *last_; i > 0; i = viewpoints_[i].before)
+            points.push_back(viewpoints_[i].point);
+        points.push_back(viewpoints_[0].point);
+        std::reverse(points.begin(), points.end());
+        return points;
     }
 
   private:
@@ -148,7 +162,8 @@ class TautSearch {
     std::vector<std::uint32_t> unused_cones_;
     std::vector<Cone> at_hand_;
     std::priority_queue<Task> tasks_;
-    std::size_t entered_ = 0;  ///< cells, as often as they were
+    std::size_t entered_ = 0;            ///< cells, as often as they were
+    std::optional<std::uint32_t> last_;  ///< the viewpoint before the goal
 };
 
 void TautSearch::expand(Corner corner) {
@@ -158,7 +173,7 @@ void TautSearch::expand(Corner corner) {
     const Point at = corner.point;
     const Point from = viewpoints_[reached.from].point;
     const auto viewpoint = static_cast<std::uint32_t>(viewpoints_.size());
-    viewpoints_.push_back({at, reached.length});
+    viewpoints_.push_back({at, reached.length, reached.from});
     // A taut path goes on between straight ahead and along the wall that it has not come along.
     const bool came_along_x = (from.x - at.x) * corner.obstacle_x > 0;
     const Ray ahead{from, at};
@@ -228,7 +243,7 @@ void TautSearch::meet_contents(const View& view, CellTree::Id cell) {
     }
     if (std::find(goal_cells_.begin(), goal_cells_.end(), cell) != goal_cells_.end() &&
         view.holds(goal_)) {
-        tasks_.push({from.length + length(from.point, goal_), Task::Kind::goal, 0});
+        tasks_.push({from.length + length(from.point, goal_), Task::Kind::goal, view.viewpoint});
     }
 }
 
@@ -268,6 +283,13 @@ double TautSearch::least_through(const Cone& cone) const {
 
 double taut_length(CellGraph& graph, const Point& start, const Point& goal, std::size_t effort) {
     return TautSearch(graph, start, goal).run(effort);
+}
+
+std::vector<Point> taut_path(CellGraph& graph, const Point& start, const Point& goal,
+                             std::size_t effort) {
+    TautSearch search(graph, start, goal);
+    search.run(effort);
+    return search.path();
 }
 
 }  // namespace asv::geometry::detail

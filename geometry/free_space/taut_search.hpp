@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "asv/geometry/free_space/cell_graph.hpp"
 #include "asv/geometry/primitives.hpp"
@@ -17,5 +18,10 @@ namespace asv::geometry::detail {
 /// on a navigation mesh", IJCAI 2017). What is seen is decided exactly; lengths are rounded, with a
 /// relative error below 1e-15 and 2e-16 more for each bend.
 double taut_length(CellGraph& graph, const Point& start, const Point& goal, std::size_t effort);
+
+/// That path: start, where it bends, goal; empty where there is none or finding it would take more
+/// than the effort.
+std::vector<Point> taut_path(CellGraph& graph, const Point& start, const Point& goal,
+                             std::size_t effort);
 
 }  // namespace asv::geometry::detail

@@ -7,6 +7,7 @@
 
 #include "toy_spaces.hpp"
 
+#include "asv/core/planning/region_bias.hpp"
 #include "asv/core/planning/rrt_connect.hpp"
 #include "asv/core/planning/slide_pull.hpp"
 
@@ -251,6 +252,55 @@ TEST(SlidePull, TheSmallerTreeGrows) {
     const SearchResult result = slide_pull(space, {start, goal}, {}, limits, rng);
     const auto first = static_cast<double>(result.trees[0].size());
     EXPECT_NEAR(first / static_cast<double>(result.trees[1].size()), 1, 0.2);
+}
+
+TEST(SlidePull, FindsADoorSoonerAlongAWayThatLeadsThroughIt) {
+    std::size_t with = 0, without = 0;
+    testing::for_seeds(20, [&](Rng& rng) {
+        for (const bool guided : {false, true}) {
+            PointSpace space(testing::wall_with_door());
+            if (guided)
+                for (const Point corner : {Point{0.45, 0.91}, Point{0.55, 0.91}, Point{0.9, 0.1}})
+                    for (int i = 0; i < 20; ++i) {
+                        const Point from =
+                            space.way.empty() ? Point{0.1, 0.1} : space.way[space.way.size() - 1];
+                        space.way.push_back({from.x + (corner.x - from.x) / (20 - i),
+                                             from.y + (corner.y - from.y) / (20 - i)});
+                    }
+            const SearchResult result = slide_pull(space, {start, goal}, {}, {}, rng);
+            ASSERT_EQ(result.outcome, Outcome::solved);
+            (guided ? with : without) += result.iterations;
+        }
+    });
+    EXPECT_LT(with, without / 2);
+}
+
+TEST(RegionBias, FollowsATreeAlongTheWayAndNotThroughWalls) {
+    // The way goes right and comes back on the other side of a wall.
+    std::vector<Point> stops;
+    for (int i = 0; i <= 10; ++i) stops.push_back({0.1 * i, 0.4});
+    for (int i = 10; i >= 0; --i) stops.push_back({0.1 * i, 0.5});
+    RegionBias bias(stops);
+    PointSpace space({});
+    Tree tree(space.make_index());
+    const auto position = [](std::span<const double> row) { return Point{row[0], row[1]}; };
+    std::uint32_t node = tree.add(Row{0, 0.4}, Tree::none);
+    node = tree.add(Row{0.1, 0.44}, node);
+    node = tree.add(Row{0.2, 0.46}, node);
+    bias.follow(tree, position);
+    Rng rng(1);
+    for (int i = 0; i < 50; ++i) {
+        const std::size_t region = bias.region(rng);
+        EXPECT_LE(region, 2U) << "nearer to the way back, but far along it";
+        EXPECT_EQ(bias.node_at(region, rng), region);
+        EXPECT_EQ(bias.ahead(region, rng).y, 0.4);
+    }
+    EXPECT_EQ(bias.in_vain(), 50U);
+    for (int i = 3; i <= 10; ++i) node = tree.add(Row{0.1 * i, 0.45}, node);
+    tree.add(Row{1, 0.52}, node);
+    bias.follow(tree, position);
+    EXPECT_EQ(bias.in_vain(), 0U);
+    EXPECT_GE(bias.region(rng), 0U);
 }
 
 }  // namespace

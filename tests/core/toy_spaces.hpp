@@ -89,6 +89,14 @@ struct PointSpace {
         return steer(from, Row{target.x, target.y}, visited);
     }
 
+    std::vector<Point> guide() const { return way; }
+    bool sample_near(Rng& rng, const Point& point, std::span<double> row) {
+        row[0] = point.x + 0.02 * rng.normal();
+        row[1] = point.y + 0.02 * rng.normal();
+        return free(row, row);
+    }
+
+    std::vector<Point> way;  ///< what guide() says
     std::vector<Box> boxes;
     std::vector<std::pair<Row, Row>> steered;  ///< from, target
     std::size_t pulls = 0;

@@ -34,6 +34,21 @@ TEST(FreeSpace, RoundABox) {
     EXPECT_NEAR(shortest(boxes, {0.4, 0.5}, {0.6, 0.5}), 0.4, 1e-15) << "starts on the wall";
 }
 
+TEST(FreeSpace, ThePathHasTheLengthAndBendsAtCorners) {
+    const std::vector<Box> boxes{{{0.3, 0.0}, {0.35, 0.8}}, {{0.6, 0.2}, {0.65, 1.0}}};
+    FreeSpace space(boxes, unit);
+    const Point from{0.1, 0.1}, to{0.9, 0.9};
+    const auto points = space.shortest_path_points(from, to, 1000);
+    const std::vector<Point> expected{from, {0.3, 0.8}, {0.35, 0.8}, {0.6, 0.2}, {0.65, 0.2}, to};
+    EXPECT_EQ(points, expected);
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        length += std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
+    EXPECT_NEAR(length, space.shortest_path(from, to), 1e-15);
+    EXPECT_TRUE(space.shortest_path_points(from, to, 0).empty()) << "too much to look at";
+    EXPECT_TRUE(space.shortest_path_points(from, {0.32, 0.5}, 1000).empty()) << "in a box";
+}
+
 TEST(FreeSpace, AlongWallsIsAllowed) {
     const std::vector<Box> boxes{{{0.2, 0.0}, {0.4, 0.5}}, {{0.6, 0.0}, {0.8, 0.5}}};
     EXPECT_DOUBLE_EQ(shortest(boxes, {0.1, 0.5}, {0.9, 0.5}), 0.8);

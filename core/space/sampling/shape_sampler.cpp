@@ -57,4 +57,19 @@ bool ShapeSampler::sample(Rng& rng, std::span<double> row) {
     return false;
 }
 
+bool ShapeSampler::sample_near(Rng& rng, const geometry::Point& point, double deviation,
+                               std::span<double> row) {
+    if (!sample_shape(rng, row)) return false;
+    for (int attempt = 0; attempt < place_tries; ++attempt) {
+        row[0] = row[1] = 0;
+        if (row.size() > 2) row[2] = rng.uniform(-std::numbers::pi, std::numbers::pi);
+        checker_.chain().forward(row, pose_);
+        const std::size_t middle = pose_.x.size() / 2;
+        row[0] = point.x - pose_.x[middle] + deviation * rng.normal();
+        row[1] = point.y - pose_.y[middle] + deviation * rng.normal();
+        if (checker_.valid(row)) return true;
+    }
+    return false;
+}
+
 }  // namespace asv::core

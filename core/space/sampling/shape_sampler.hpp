@@ -17,6 +17,10 @@ class ShapeSampler {
 
     /// Fills row with a valid configuration; false when none was found in some hundred tries.
     bool sample(Rng& rng, std::span<double> row);
+    /// Fills row with a valid configuration whose ASV in the middle is at the point, give or take a
+    /// normally distributed distance; false when none was found in some tries.
+    bool sample_near(Rng& rng, const geometry::Point& point, double deviation,
+                     std::span<double> row);
     /// Fills the turns of row with those of a valid shape; false after some hundred tries.
     bool sample_shape(Rng& rng, std::span<double> row);
     /// Do the turns of the row meet the requirements that a place does not matter for?
