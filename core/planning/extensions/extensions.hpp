@@ -24,7 +24,7 @@ namespace asv::core {
 struct ExtensionOptions {
     bool swap_limiter = false;
     std::size_t swap_steps = 5000;  ///< steps of the connect loops after which the trees swap
-    double swap_step = 0.001;  ///< length of one of them, in the metric
+    double swap_step = 0.001;       ///< length of one of them, in the metric
     bool collision_swap = false;
     ExhaustionOptions exhaustion;
     bool neighbour_cost = false;

@@ -195,7 +195,7 @@ struct SlidPath {
             const Row from(rows.end() - static_cast<std::ptrdiff_t>(d), rows.end());
             Row to(from);
             if (!sampler.sample(rng, to)) continue;
-            unwrap(to, from, WrappingAngles{2, d > 2 ? 1U : 0U});
+            unwrap(to, from, d > 2 ? WrappingAngles{2, 1} : WrappingAngles{});
             steering.slide(from, to, rows);
         }
     }
