@@ -21,12 +21,21 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view solution_ending = ".solution.txt";
+constexpr std::string_view trees_ending = ".trees.json";
+constexpr std::string_view stats_ending = ".stats.json";
+
+/// Classic files and scenarios; not what asv-solve has written beside them.
+bool names_a_problem(std::string_view name) {
+    if (name.ends_with(".txt")) return !name.ends_with(solution_ending);
+    return name.ends_with(".json") && !name.ends_with(trees_ending) &&
+           !name.ends_with(stats_ending);
+}
 
 std::vector<fs::path> problems_in(const fs::path& folder) {
     std::vector<fs::path> files;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
-        if (entry.is_regular_file() && name.ends_with(".txt") && !name.ends_with(solution_ending)) {
+        if (entry.is_regular_file() && names_a_problem(name)) {
             files.push_back(entry.path());
         }
     }
@@ -41,8 +50,7 @@ ExhibitFiles with_companions(const fs::path& problem, const fs::path& folder) {
         if (!fs::exists(file)) return std::nullopt;
         return file;
     };
-    return {problem, companion(solution_ending), companion(".trees.json"),
-            companion(".stats.json")};
+    return {problem, companion(solution_ending), companion(trees_ending), companion(stats_ending)};
 }
 
 /// A file name as part of an address: everything but letters, digits and -_. as %XX.

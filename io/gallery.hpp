@@ -24,8 +24,8 @@ struct ExhibitFiles {
 /// ParseError or ReadError.
 Exhibit read_exhibit(const ExhibitFiles& files, std::vector<Warning>& warnings);
 
-/// The files for each case: a problem file, or a folder, which stands for the .txt files in it in
-/// the order of their names, those of solutions apart. For a problem NAME.txt, NAME.solution.txt,
+/// The files for each case: a problem file, or a folder, which stands for the .txt and .json
+/// files in it in the order of their names, those of solutions, trees and statistics apart. For a problem NAME.txt, NAME.solution.txt,
 /// NAME.trees.json and NAME.stats.json are looked for in the folder of solutions or, where none is
 /// given, beside the problem. Throws ReadError for a case that does not exist.
 std::vector<ExhibitFiles> find_exhibits(std::span<const std::filesystem::path> cases,

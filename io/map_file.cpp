@@ -32,7 +32,7 @@ class Words {
         : text_(text), name_(name), comments_(comments) {}
 
     std::size_t offset() const { return at_; }
-    void skip(std::size_t bytes) { at_ += bytes; }
+    void skip(std::size_t bytes) { at_ = std::min(at_ + bytes, text_.size()); }
 
     [[noreturn]] void fail(const std::string& expected) {
         skip_blanks();
@@ -133,9 +133,8 @@ Grid parse_pgm(std::string_view content, const std::string& name, double thresho
     }
     words.skip(1);
     const std::size_t bytes = white > 255 ? 2 : 1;
-    if (words.offset() > content.size() ||
-        width * height > (content.size() - words.offset()) / bytes) {
-        words.skip(content.size() - std::min(words.offset(), content.size()));
+    if (width * height > (content.size() - words.offset()) / bytes) {
+        words.skip(content.size());
         words.fail_here(std::to_string(width * height * bytes) + " bytes of pixels");
     }
     Grid grid = make_grid(width, height, words);

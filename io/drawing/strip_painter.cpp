@@ -250,9 +250,10 @@ void paint_caption(Canvas& canvas, const Exhibit& exhibit, const SceneLeast& lea
 }  // namespace
 
 double strip_height(const Exhibit& exhibit, const Scene& scene) {
+    // Text is a little wider in some formats than in others: rather a line too many.
     Canvas ruler(PictureFormat::png, 1, 1, 1);
     const double lines =
-        lay_out(ruler, legend(scene, palette(Theme::light)), legend_width(scene)).height;
+        lay_out(ruler, legend(scene, palette(Theme::light)), 0.97 * legend_width(scene)).height;
     return lines + (exhibit.tightest_state ? caption_height + plot_height + 8 : 0);
 }
 

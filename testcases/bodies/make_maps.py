@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the maps of this folder again: town.png (300 x 200 pixels) and workshop.txt (50 x 50 cells)."""
+"""Writes the maps of this folder again: town.png (300 x 200 pixels) and workshop.map (50 x 50 cells)."""
 
 import pathlib
 import struct
@@ -54,4 +54,4 @@ workshop = field(
     50, 50, [(8, 38, 12, 50), (6, 20, 14, 23), (23, 0, 26, 10), (37, 34, 40, 50), (36, 16, 46, 19)])
 
 write_png(folder / "town.png", town)
-write_grid(folder / "workshop.txt", workshop)
+write_grid(folder / "workshop.map", workshop)

@@ -60,7 +60,7 @@ TEST(MapFile, ReadsAPngAndAGridOfTheTestcases) {
     EXPECT_TRUE(town.occupied(18, 199 - 16));
     EXPECT_FALSE(town.occupied(17, 199 - 16));
     EXPECT_FALSE(town.occupied(18, 199 - 15));
-    const Grid workshop = read_map(ASV_SOURCE_DIR "/testcases/bodies/workshop.txt");
+    const Grid workshop = read_map(ASV_SOURCE_DIR "/testcases/bodies/workshop.map");
     EXPECT_EQ(workshop.width, 50U);
     EXPECT_TRUE(workshop.occupied(8, 0));
     EXPECT_FALSE(workshop.occupied(25, 0));

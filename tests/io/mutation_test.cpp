@@ -10,8 +10,10 @@
 #include <gtest/gtest.h>
 
 #include "asv/io/atomic_file.hpp"
+#include "asv/io/map_file.hpp"
 #include "asv/io/parse_error.hpp"
 #include "asv/io/problem_file.hpp"
+#include "asv/io/scenario_file.hpp"
 #include "asv/io/solution_file.hpp"
 
 namespace asv::io {
@@ -117,6 +119,40 @@ TEST(Mutation, ABrokenSolutionIsUnderstoodOrRefused) {
             ASSERT_GE(read.path.size(), 1U);
             ASSERT_TRUE(std::isfinite(read.cost));
             ASSERT_TRUE(all_finite(read.path.points()));
+        });
+    }
+}
+
+TEST(Mutation, ABrokenScenarioIsUnderstoodOrRefused) {
+    std::uint64_t seed = 1;
+    for (const char* name : {"arm-3-plane", "arm-10-workshop", "point-town"}) {
+        const std::string folder = ASV_SOURCE_DIR "/testcases/bodies/";
+        // Without its map, which would be read each time.
+        const test::TemporaryFolder empty;
+        std::string text = read_file(folder + name + ".json");
+        const std::size_t map = text.find(" \"map\"");
+        if (map != std::string::npos) text.erase(map, text.find('\n', map) - map + 1);
+        write_file(empty / "s", text);
+        try_variants_of(empty / "s", seed++, [&](const std::string& variant) {
+            const core::Problem read = parse_scenario(variant, "s", empty.path()).problem;
+            ASSERT_EQ(read.goal.size(), read.start.size());
+            ASSERT_TRUE(all_finite(read.start));
+            ASSERT_TRUE(all_finite(read.goal));
+        });
+    }
+}
+
+TEST(Mutation, ABrokenMapIsUnderstoodOrRefused) {
+    const test::TemporaryFolder folder;
+    const std::string maps[] = {"height 3\nwidth 4\n0 1 0 1\n0000\n1111\n",
+                                "P2 # c\n4 3\n255\n0 1 2 3 4 5 6 7 8 9 10 255\n",
+                                "P5 4 3 255\nabcdefghijkl"};
+    std::uint64_t seed = 1;
+    for (const std::string& map : maps) {
+        write_file(folder / "m", map);
+        try_variants_of(folder / "m", seed++, [](const std::string& text) {
+            const geometry::Grid grid = parse_map(text, "m");
+            ASSERT_EQ(grid.cells.size(), grid.width * grid.height);
         });
     }
 }
