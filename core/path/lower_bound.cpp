@@ -53,7 +53,7 @@ CostLowerBound cost_lower_bound(const Problem& problem, Reading reading) {
 }
 
 std::size_t least_steps(const Problem& problem, const CostLowerBound& bound) {
-    if (bound.lengths.empty()) return 0;
+    if (problem.arm() || bound.lengths.empty()) return 0;
     const double longest = *std::max_element(bound.lengths.begin(), bound.lengths.end());
     if (!std::isfinite(longest)) return 0;
     return static_cast<std::size_t>(std::ceil(longest / problem.requirements.max_step));
