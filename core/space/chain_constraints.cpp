@@ -117,8 +117,9 @@ ChainConstraints make_constraints(const Problem& problem, const Chain& chain,
         return kept(ends, margins, limit, margin, measure);
     };
     result.minimum_area = at_least(least_area, margins.relative_area * least_area, area);
-    result.minimum_last_turn = at_least(0, 0, last_turn);
-    result.minimum_first_turn = at_least(0, 0, first_turn);
+    // The closing side may be short, so that what a step's chord cuts off would show as an angle.
+    result.minimum_last_turn = at_least(0, margins.length, last_turn);
+    result.minimum_first_turn = at_least(0, margins.length, first_turn);
     result.minimum_closing = at_least(0, margins.closing, closing_length);
     return result;
 }

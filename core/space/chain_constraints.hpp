@@ -29,7 +29,8 @@ struct ChainConstraints {
 
 /// How far the planner keeps from the limits where start and goal allow it.
 struct Margins {
-    double length = 1e-5;         ///< to obstacles and bounds: more than a step's chord cuts off
+    double length = 1e-5;         ///< to obstacles, bounds and straight closing turns: more than a
+                                  ///< step's chord cuts off
     double relative_area = 1e-6;  ///< of the minimum area
     double closing = 0.004;       ///< least closing side; a shorter one made the only invalid paths
     double slack = 1e-11;  ///< room that start and goal get: above rounding, below any tolerance
