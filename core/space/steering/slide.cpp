@@ -51,19 +51,10 @@ Steered SlideSteering::slide(std::span<const double> from, std::span<const doubl
         const auto next = constrained_.solve(wish_);
         std::copy(next.begin(), next.end(), next_.begin());
         free_ahead = !constrained_.pushed();
-        if (distance - metric_.distance(next_, target) < options_.progress * length) {
-            if (!tighten(pace)) return outcome;
-            continue;
-        }
-        ++steps_;
-        if (!checker_.valid(row_, next_)) {
-            pace.step = 0.5 * length;
-            if (pace.step < shortest_share * options_.step && !tighten(pace)) return outcome;
-            continue;
-        }
-        keep(visited);
-        outcome = Steered::advanced;
-        pace.step = std::min(options_.step, 2 * pace.step);
+        const double gained = distance - metric_.distance(next_, target);
+        const StepTaken taken = take_step(gained, length, pace, visited);
+        if (taken == StepTaken::stuck) return outcome;
+        if (taken == StepTaken::yes) outcome = Steered::advanced;
     }
     return outcome;
 }
@@ -88,21 +79,27 @@ Steered SlideSteering::pull(std::span<const double> from, std::size_t asv,
         std::copy(next.begin(), next.end(), next_.begin());
         chain.forward(next_, pose);
         const double left = std::hypot(target.x - pose.x[asv], target.y - pose.y[asv]);
-        if (distance - left < options_.progress * length) {
-            if (!tighten(pace)) return outcome;
-            continue;
-        }
-        ++steps_;
-        if (!checker_.valid(row_, next_)) {
-            pace.step = 0.5 * length;
-            if (pace.step < shortest_share * options_.step && !tighten(pace)) return outcome;
-            continue;
-        }
-        keep(visited);
-        outcome = Steered::advanced;
-        pace.step = std::min(options_.step, 2 * pace.step);
+        const StepTaken taken = take_step(distance - left, length, pace, visited);
+        if (taken == StepTaken::stuck) return outcome;
+        if (taken == StepTaken::yes) outcome = Steered::advanced;
     }
     return outcome;
+}
+
+/// Takes the constrained step to next_ if it gains enough and is proven; where it is not, the pace
+/// is another one from now on.
+SlideSteering::StepTaken SlideSteering::take_step(double gained, double length, Pace& pace,
+                                                  Rows& visited) {
+    const auto retry = [](bool possible) { return possible ? StepTaken::no : StepTaken::stuck; };
+    if (gained < options_.progress * length) return retry(tighten(pace));
+    ++steps_;
+    if (!checker_.valid(row_, next_)) {
+        pace.step = 0.5 * length;
+        return retry(pace.step >= shortest_share * options_.step || tighten(pace));
+    }
+    keep(visited);
+    pace.step = std::min(options_.step, 2 * pace.step);
+    return StepTaken::yes;
 }
 
 /// Gives up half-measures: a quarter of the margin, full steps again; false at a hair.

@@ -45,6 +45,8 @@ class SlideSteering {
     struct Pace {
         double step, margin;
     };
+    enum class StepTaken { yes, no, stuck };
+    StepTaken take_step(double gained, double length, Pace& pace, Rows& visited);
     bool tighten(Pace& pace) const;
     bool go_straight(std::span<const double> target, double distance, Rows& visited);
     void keep(Rows& visited);
