@@ -70,6 +70,7 @@ struct Image {
     const char* label;
     Point (*map)(Point);
     bool other_way = false;  ///< along the chain
+    bool swapped = false;    ///< start and goal
 };
 
 const Image images[] = {
@@ -86,6 +87,7 @@ const Image images[] = {
          return Point{1 - p.y, p.x};
      }},
     {"OtherWayAlongTheChain", [](Point p) { return p; }, true},
+    {"StartAndGoalSwapped", [](Point p) { return p; }, false, true},
 };
 
 Problem image_of(Problem problem, const Image& image) {
@@ -93,6 +95,7 @@ Problem image_of(Problem problem, const Image& image) {
         for (Point& p : *points) p = image.map(p);
         if (image.other_way) *points = testing::reversed(*points);
     }
+    if (image.swapped) std::swap(problem.start, problem.goal);
     for (Box& box : problem.obstacles)
         box = geometry::bounds(geometry::Segment{image.map(box.low), image.map(box.high)});
     return problem;
