@@ -1,7 +1,6 @@
 #include "asv/core/path/hybridise.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <span>
 #include <utility>
@@ -25,13 +24,16 @@ class Hybrid {
         : metric_(metric),
           cost_(cost),
           dimension_(metric.dimension()),
-          graph_(NearestNeighbours(metric.scales(), {})) {}
+          empty_index_(metric.scales(), {}),
+          graph_(empty_index_) {}
 
     void add_path(const Rows& path) {
         const auto first = static_cast<std::uint32_t>(graph_.size());
         begins_.push_back(first);
+        indices_.push_back(empty_index_);
         for (std::size_t i = 0; i < path.size(); i += dimension_) {
             const auto node = graph_.add({path.data() + i, dimension_});
+            indices_.back().add(graph_.row(node));
             if (node > first)
                 graph_.join(node - 1, node, cost_(graph_.row(node - 1), graph_.row(node)));
         }
@@ -41,15 +43,11 @@ class Hybrid {
     /// Bridges each way point of one path to the nearest of the other.
     void add_bridges(std::size_t from, std::size_t to, const Bridge& bridge) {
         for (std::uint32_t a = begins_[from] + 1; a + 1 < ends_[from]; ++a) {
-            std::uint32_t nearest = begins_[to];
-            double least = std::numeric_limits<double>::infinity();
-            for (std::uint32_t b = begins_[to]; b < ends_[to]; ++b) {
-                const double distance = metric_.distance(graph_.row(a), graph_.row(b));
-                if (distance >= least) continue;
-                least = distance;
-                nearest = b;
-            }
-            if (least > longest_bridge || bridges_.contains({a, nearest})) continue;
+            const std::uint32_t nearest =
+                begins_[to] + static_cast<std::uint32_t>(indices_[to].nearest(graph_.row(a)));
+            if (metric_.distance(graph_.row(a), graph_.row(nearest)) > longest_bridge ||
+                bridges_.contains({a, nearest}))
+                continue;
             Rows rows;
             if (!bridge(graph_.row(a), graph_.row(nearest), rows)) continue;
             double length = 0;
@@ -101,8 +99,10 @@ class Hybrid {
     const Metric& metric_;
     MotionCost& cost_;
     std::size_t dimension_;
+    NearestNeighbours empty_index_;
     Roadmap graph_;
-    std::vector<std::uint32_t> begins_, ends_;
+    std::vector<std::uint32_t> begins_, ends_;  ///< nodes of each path
+    std::vector<NearestNeighbours> indices_;    ///< of each path
     /// What lies between the ends of a bridge.
     std::map<std::pair<std::uint32_t, std::uint32_t>, Rows> bridges_;
 };

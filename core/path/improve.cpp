@@ -91,7 +91,7 @@ class Improvement {
     void shortcut() {
         const auto valid = [&](auto from, auto to) { return checker_.valid(from, to); };
         const Bridge straight = [&](auto from, auto to, Rows& between) {
-            if (!checker_.valid(from, to)) return false;
+            if (!valid(from, to)) return false;
             between.assign(to.begin(), to.end());
             return true;
         };

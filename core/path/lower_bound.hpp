@@ -14,8 +14,8 @@ struct CostLowerBound {
     std::vector<double> lengths;  ///< of the way of each ASV, or of an arm; their sum is the total
 };
 
-/// No solution has fewer primitive steps than this: that of the ASV with the longest way, in steps
-/// of the greatest length. 0 where no ASV moves freely (arms).
+/// No solution has fewer primitive steps than this, if none of them uses the tolerance of the step
+/// length: as many as the ASV with the longest way needs. 0 where no ASV moves freely (arms).
 std::size_t least_steps(const Problem& problem, const CostLowerBound& bound);
 
 /// A lower bound of the cost of every path from the start to the goal: the sum of the shortest

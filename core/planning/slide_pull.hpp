@@ -59,11 +59,25 @@ SearchResult slide_pull(Space& space, const Query& query, const SlidePullOptions
     std::vector<double> target(query.goal.begin(), query.goal.end());
     Rows visited;
 
-    /// Drags an end of a node that is near the point there; the new node, if it moved at all.
+    // What grows a tree gives the new node, if it moved at all.
+    const auto drag = [&](int side, std::uint32_t node, std::size_t end,
+                          const geometry::Point& point) -> std::optional<std::uint32_t> {
+        visited.clear();
+        if (space.pull(trees[side].row(node), end, point, visited) == Steered::trapped)
+            return std::nullopt;
+        return trees.add(side, node, visited);
+    };
+    const auto steer_to_target = [&](int side) -> std::optional<std::uint32_t> {
+        const auto grown = trees.grow(side, target);
+        if (grown.outcome == Steered::trapped) return std::nullopt;
+        return grown.last;
+    };
+    const auto draw_end = [&] { return rng.chance(0.5) ? 0 : space.asv_count() - 1; };
+    /// Drags an end of a node that is near a point there.
     const auto pull = [&](int side) -> std::optional<std::uint32_t> {
         const auto point = space.pull_target(rng, options.passage_share);
         if (!point) return std::nullopt;
-        const std::size_t end = rng.chance(0.5) ? 0 : space.asv_count() - 1;
+        const std::size_t end = draw_end();
         const Tree& tree = trees[side];
         std::uint32_t best = 0;
         double least = std::numeric_limits<double>::infinity();
@@ -76,10 +90,11 @@ SearchResult slide_pull(Space& space, const Query& query, const SlidePullOptions
                 best = node;
             }
         }
-        visited.clear();
-        if (space.pull(tree.row(best), end, *point, visited) == Steered::trapped)
-            return std::nullopt;
-        return trees.add(side, best, visited);
+        return drag(side, best, end, *point);
+    };
+    const auto extend = [&](int side) -> std::optional<std::uint32_t> {
+        if (!space.sample(rng, target)) return std::nullopt;
+        return steer_to_target(side);
     };
     std::vector<RegionBias> bias;  ///< of both trees, where there is a way
     const auto look_for_guide = [&] {
@@ -103,22 +118,10 @@ SearchResult slide_pull(Space& space, const Query& query, const SlidePullOptions
         const geometry::Point& ahead = ours.ahead(region, rng);
         if (rng.chance(options.pull_share)) {
             const std::uint32_t node = ours.node_at(region, rng);
-            const std::size_t end = rng.chance(0.5) ? 0 : space.asv_count() - 1;
-            visited.clear();
-            if (space.pull(trees[side].row(node), end, ahead, visited) == Steered::trapped)
-                return std::nullopt;
-            return trees.add(side, node, visited);
+            return drag(side, node, draw_end(), ahead);
         }
         if (!space.sample_near(rng, ahead, target)) return std::nullopt;
-        const auto grown = trees.grow(side, target);
-        if (grown.outcome == Steered::trapped) return std::nullopt;
-        return grown.last;
-    };
-    const auto extend = [&](int side) -> std::optional<std::uint32_t> {
-        if (!space.sample(rng, target)) return std::nullopt;
-        const auto grown = trees.grow(side, target);
-        if (grown.outcome == Steered::trapped) return std::nullopt;
-        return grown.last;
+        return steer_to_target(side);
     };
     /// Lets the other tree reach for the node.
     const auto connect = [&](int side, std::uint32_t node) {

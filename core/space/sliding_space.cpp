@@ -1,5 +1,6 @@
 #include "asv/core/space/sliding_space.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "asv/core/path/asv_space.hpp"
@@ -50,7 +51,9 @@ std::vector<geometry::Point> SlidingSpace::guide() const {
     std::vector<geometry::Point> stops;
     for (std::size_t i = 1; i < bends.size(); ++i) {
         const geometry::Point &a = bends[i - 1], &b = bends[i];
-        const double pieces = std::ceil(std::hypot(b.x - a.x, b.y - a.y) / stop_spacing);
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        // One piece at least: an ASV that ends where it starts has a way without length.
+        const double pieces = std::max(1.0, std::ceil(length / stop_spacing));
         for (double piece = i == 1 ? 0 : 1; piece <= pieces; ++piece) {
             const double t = piece / pieces;
             stops.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});

@@ -36,14 +36,8 @@ std::vector<double> middle_of_ranges(const PlanarArm& arm) {
 
 Finding check_link_lengths(State state, const PlanarArm& arm, const Requirements& requirements) {
     Finding worst;
-    for (std::size_t i = 0; i < arm.links.size(); ++i) {
-        const double off = std::abs(distance(state[i], state[i + 1]) - arm.links[i]);
-        Finding finding;
-        finding.ok = off <= requirements.tolerance;
-        finding.offender.broom = i;
-        finding.offender.room = requirements.tolerance - off;
-        keep_worse(worst, finding);
-    }
+    for (std::size_t i = 0; i < arm.links.size(); ++i)
+        keep_worse(worst, check_side_length(state, i, arm.links[i], requirements.tolerance));
     return worst;
 }
 

@@ -45,16 +45,20 @@ std::optional<Finding> find_not_finite(State state) {
     return std::nullopt;
 }
 
+Finding check_side_length(State state, std::size_t i, double length, double tolerance) {
+    const double off = std::abs(distance(state[i], state[i + 1]) - length);
+    Finding finding;
+    finding.ok = off <= tolerance;
+    finding.offender.broom = i;
+    finding.offender.room = tolerance - off;
+    return finding;
+}
+
 Finding check_broom_lengths(State state, const Requirements& requirements) {
     Finding worst;
-    for (std::size_t i = 0; i + 1 < state.size(); ++i) {
-        const double off = std::abs(distance(state[i], state[i + 1]) - requirements.broom_length);
-        Finding finding;
-        finding.ok = off <= requirements.tolerance;
-        finding.offender.broom = i;
-        finding.offender.room = requirements.tolerance - off;
-        keep_worse(worst, finding);
-    }
+    for (std::size_t i = 0; i + 1 < state.size(); ++i)
+        keep_worse(worst,
+                   check_side_length(state, i, requirements.broom_length, requirements.tolerance));
     return worst;
 }
 

@@ -54,18 +54,7 @@ void expect_steps_of(const Problem& problem, const Path& path) {
 
 /// The integral of the fastest ASV's speed along the rows, by chords.
 double fastest_way(const Chain& chain, const Rows& rows) {
-    const std::size_t d = chain.dimension();
-    double sum = 0;
-    for (std::size_t i = 1; i < rows.size() / d; ++i) {
-        const auto from = nth(rows, d, i - 1), to = nth(rows, d, i);
-        Points before = testing::positions_of(chain, from);
-        for (int k = 1; k <= 200; ++k) {
-            const Points after = testing::positions_of(chain, between(from, to, k / 200.0));
-            sum += farthest(before, after);
-            before = after;
-        }
-    }
-    return sum;
+    return testing::along(chain, rows, 200, farthest);
 }
 
 TEST(PrimitiveSteps, AStraightWayTakesNoStepTooMany) {
@@ -90,16 +79,9 @@ struct SlidePath {
         const BroomWorld world(problem, Anchor::centroid);
         MotionChecker checker = world.make_checker();
         SlideSteering steering(checker, world.metric, {});
-        ShapeSampler sampler(checker);
         rows = world.start;
-        const std::size_t d = rows.size();
-        for (int leg = 0; leg < 3; ++leg) {
-            const Row from(rows.end() - static_cast<std::ptrdiff_t>(d), rows.end());
-            Row to(from);
-            if (!sampler.sample(rng, to)) continue;
-            unwrap(to, from, WrappingAngles{2, d > 2 ? 1U : 0U});
-            steering.slide(from, to, rows);
-        }
+        testing::wander(checker, steering, rng, 3, rows);
+        const std::size_t d = world.chain.dimension();
         problem.goal = testing::positions_of(world.chain, nth(rows, d, rows.size() / d - 1));
     }
     Problem problem;

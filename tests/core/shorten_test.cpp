@@ -25,19 +25,12 @@ using testing::scaled;
 
 /// What the ASVs cover together, by very short chords.
 double way(const Chain& chain, const Rows& rows) {
-    const std::size_t d = chain.dimension();
-    double sum = 0;
-    for (std::size_t i = 1; i < rows.size() / d; ++i) {
-        const auto from = nth(rows, d, i - 1), to = nth(rows, d, i);
-        Points before = testing::positions_of(chain, from);
-        for (int k = 1; k <= 100; ++k) {
-            const Points after = testing::positions_of(chain, between(from, to, k / 100.0));
-            for (std::size_t j = 0; j < after.size(); ++j)
-                sum += std::hypot(after[j].x - before[j].x, after[j].y - before[j].y);
-            before = after;
-        }
-    }
-    return sum;
+    return testing::along(chain, rows, 100, [](const Points& before, const Points& after) {
+        double sum = 0;
+        for (std::size_t j = 0; j < after.size(); ++j)
+            sum += std::hypot(after[j].x - before[j].x, after[j].y - before[j].y);
+        return sum;
+    });
 }
 
 /// A world with a path that wanders about in it.
@@ -47,15 +40,7 @@ struct Wanderer {
           checker(world.make_checker()),
           steering(checker, world.metric, {}),
           path(world.start) {
-        ShapeSampler sampler(checker);
-        const std::size_t d = path.size();
-        for (int leg = 0; leg < legs; ++leg) {
-            const Row from(path.end() - static_cast<std::ptrdiff_t>(d), path.end());
-            Row to(from);
-            if (!sampler.sample(rng, to)) continue;
-            unwrap(to, from, WrappingAngles{2, d > 2 ? 1U : 0U});
-            steering.slide(from, to, path);
-        }
+        testing::wander(checker, steering, rng, legs, path);
     }
 
     static Problem cluttered(Rng& rng, std::size_t n) {

@@ -6,43 +6,17 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "support.hpp"
-
-#include "asv/core/path/cost.hpp"
-#include "asv/core/validate.hpp"
-#include "asv/io/problem_file.hpp"
+#include "solve_support.hpp"
 
 namespace asv::core {
 namespace {
 
+using testing::expect_solved;
+using testing::plain;
 using testing::Points;
 using testing::ring;
 using testing::scaled;
-
-Problem testcase(const std::string& file) {
-    return io::read_problem(std::filesystem::path(ASV_SOURCE_DIR) / "testcases" / file).problem;
-}
-
-/// The first path, with cheap shortcuts only, as on one thread; no test may depend on the time.
-SolveOptions plain(std::uint64_t seed) {
-    SolveOptions options;
-    options.seed = seed;
-    options.optimize = 0;
-    options.time_limit = 600;
-    return options;
-}
-
-void expect_solved(const Problem& problem, const SolveResult& result) {
-    ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
-    ASSERT_TRUE(result.solution);
-    EXPECT_TRUE(result.reason.empty());
-    const ValidationReport report = validate(problem, *result.solution, {.continuous = true});
-    for (const auto* checks : {&report.checks, &report.motion})
-        for (const CheckResult& check : *checks)
-            ASSERT_TRUE(check.ok()) << name(check.check) << ": " << describe(check);
-    EXPECT_DOUBLE_EQ(result.solution->cost, cost(result.solution->path));
-    EXPECT_EQ(result.statistics.cost, result.solution->cost);
-}
+using testing::testcase;
 
 struct EachTestcase : ::testing::TestWithParam<const char*> {};
 
@@ -127,82 +101,6 @@ TEST(Solve, SameSeedSamePath) {
         options.seed = 8;
         EXPECT_NE(solve(problem, options).solution->path, first.solution->path);
     }
-}
-
-TEST(Solve, RrtConnectSolvesTheLighterOnes) {
-    for (const char* file : {"3ASV.txt", "3ASV-x4.txt", "7ASV-x6.txt"}) {
-        SCOPED_TRACE(file);
-        const Problem problem = testcase(file);
-        SolveOptions options = plain(1);
-        options.planner = RrtConnectPlanner{};
-        expect_solved(problem, solve(problem, options));
-    }
-}
-
-TEST(Solve, EveryPlannerSolvesAnEasyOne) {
-    const Problem problem = testcase("3ASV.txt");
-    for (const auto planner : planner_names()) {
-        SCOPED_TRACE(planner);
-        SolveOptions options = plain(2);
-        options.planner = planner_named(planner);
-        options.keep_trees = true;
-        const SolveResult result = solve(problem, options);
-        expect_solved(problem, result);
-        EXPECT_EQ(solve(problem, options).solution->path, result.solution->path);
-        EXPECT_EQ(result.edges.empty(), planner.substr(0, 3) != "prm");
-        ASSERT_FALSE(result.trees.empty());
-        for (const auto& [a, b] : result.edges)
-            ASSERT_LT(std::max(a, b), result.trees[0].points.size());
-        EXPECT_EQ(result.trees.size(), planner == "auto" || planner == "rrt-connect" ? 2U : 1U);
-        EXPECT_EQ(name(result.trees[0].root), result.edges.empty() ? "start" : "roadmap");
-    }
-}
-
-TEST(Solve, EverySamplerServesEveryPlanner) {
-    const Problem problem = testcase("3ASV.txt");
-    for (const auto planner_name : planner_names()) {
-        if (planner_name == "auto") continue;
-        for (const auto* sampler : {"own", "uniform", "grid", "stepwise", "corridor", "mix"}) {
-            SCOPED_TRACE(std::string(planner_name) + " " + sampler);
-            SolveOptions options = plain(1);
-            options.planner = planner_named(planner_name);
-            set(options.planner, "sampler", sampler);
-            set(options.planner, "mix-uniform", "1");
-            set(options.planner, "mix-passage", "1");
-            if (planner_name == "rrt-star") set(options.planner, "nodes", "300");
-            expect_solved(problem, solve(problem, options));
-        }
-    }
-}
-
-TEST(Solve, RrtConnectSolvesWithEachExtension) {
-    const Problem problem = testcase("3ASV.txt");
-    for (const auto& [setting, value] : {std::pair{"swap-limiter", "on"},
-                                         {"collision-swap", "on"},
-                                         {"exhaustion", "plain"},
-                                         {"exhaustion", "heuristic"},
-                                         {"neighbour-cost", "on"},
-                                         {"passage-filter", "on"},
-                                         {"control-chosen", "on"},
-                                         {"goal-bias", "on"}}) {
-        SCOPED_TRACE(std::string(setting) + "=" + value);
-        SolveOptions options = plain(1);
-        options.planner = RrtConnectPlanner{};
-        set(options.planner, setting, value);
-        expect_solved(problem, solve(problem, options));
-    }
-}
-
-TEST(Solve, RrtStarTellsWhenItsFirstPathWasThere) {
-    const Problem problem = testcase("3ASV.txt");
-    SolveOptions options = plain(1);
-    options.planner = RrtStarPlanner{};
-    const SolveStatistics spent = solve(problem, options).statistics;
-    ASSERT_GE(spent.cost_history.size(), 2U);
-    EXPECT_EQ(spent.cost_history.front().first, spent.time_to_first);
-    EXPECT_EQ(spent.cost_history.front().second, spent.cost_first);
-    for (std::size_t i = 1; i < spent.cost_history.size(); ++i)
-        EXPECT_LT(spent.cost_history[i].second, spent.cost_history[i - 1].second);
 }
 
 TEST(Solve, ReversePlansFromTheGoal) {

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "asv/core/planning/interpolate.hpp"
+#include "asv/core/space/sampling/shape_sampler.hpp"
 #include "asv/geometry/distance.hpp"
 
 namespace asv::core::testing {
@@ -107,6 +109,34 @@ Row between(std::span<const double> a, std::span<const double> b, double t) {
     Row row(a.begin(), a.end());
     for (std::size_t i = 0; i < row.size(); ++i) row[i] += t * (b[i] - a[i]);
     return row;
+}
+
+double along(const Chain& chain, const Rows& rows, int pieces,
+             const std::function<double(const Points& before, const Points& after)>& measure) {
+    const std::size_t d = chain.dimension();
+    double sum = 0;
+    for (std::size_t i = 1; i < rows.size() / d; ++i) {
+        const auto from = nth(rows, d, i - 1), to = nth(rows, d, i);
+        Points before = positions_of(chain, from);
+        for (int k = 1; k <= pieces; ++k) {
+            Points after = positions_of(chain, between(from, to, static_cast<double>(k) / pieces));
+            sum += measure(before, after);
+            before = std::move(after);
+        }
+    }
+    return sum;
+}
+
+void wander(MotionChecker& checker, SlideSteering& steering, Rng& rng, int legs, Rows& path) {
+    ShapeSampler sampler(checker);
+    const std::size_t d = checker.chain().dimension();
+    for (int leg = 0; leg < legs; ++leg) {
+        const Row from(path.end() - static_cast<std::ptrdiff_t>(d), path.end());
+        Row to(from);
+        if (!sampler.sample(rng, to)) continue;
+        unwrap(to, from, {2, d > 2 ? 1U : 0U});
+        steering.slide(from, to, path);
+    }
 }
 
 }  // namespace asv::core::testing

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "asv/core/chain/chain.hpp"
 #include "asv/core/planning/rng.hpp"
 #include "asv/core/problem.hpp"
+#include "asv/core/space/steering/slide.hpp"
 
 /// What the tests of core share: seeds, hand-made chains and problems.
 
@@ -60,6 +62,13 @@ Points positions_of(const Chain& chain, std::span<const double> row);
 
 /// a + t * (b - a).
 Row between(std::span<const double> a, std::span<const double> b, double t);
+
+/// The sum of measure(positions before, positions after) over so many short pieces of each motion.
+double along(const Chain& chain, const Rows& rows, int pieces,
+             const std::function<double(const Points& before, const Points& after)>& measure);
+
+/// Lets the path go on from its last row by so many slides to random configurations.
+void wander(MotionChecker& checker, SlideSteering& steering, Rng& rng, int legs, Rows& path);
 
 /// Row i of a block of rows.
 inline std::span<const double> nth(const std::vector<double>& rows, std::size_t dimension,

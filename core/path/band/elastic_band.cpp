@@ -184,10 +184,10 @@ void ElasticBand::keep_valid() {
         std::fill(doubtful.begin(), doubtful.end(), 0);
         for (std::size_t i = 1; i < motions; ++i) {
             if (!blocked[i] || halvings[i] > most_halvings) continue;
-            const double back = ++halvings[i] > most_halvings ? 1 : 0.5;
-            const auto row = proposed_.row(i);
+            const bool all_the_way = ++halvings[i] > most_halvings;
+            const auto row = proposed_.row(i), home = path_.row(i);
             for (std::size_t k = 0; k < dimension_; ++k)
-                row[k] = back == 1 ? path_.row(i)[k] : row[k] + back * (path_.row(i)[k] - row[k]);
+                row[k] = all_the_way ? home[k] : row[k] + 0.5 * (home[k] - row[k]);
             doubtful[i - 1] = doubtful[i] = 1;
             again = true;
         }

@@ -41,6 +41,17 @@ TEST(CostLowerBound, IsTheSumOfTheStraightLinesInTheOpen) {
     EXPECT_EQ(cost_lower_bound(three_from_to({0.1, 0.1}, {0.1, 0.1}, {})).total, 0);
 }
 
+TEST(LeastSteps, AreThoseOfTheLongestWayOfAnAsv) {
+    Problem problem = three_from_to({0.1, 0.1}, {0.4, 0.5}, {});
+    // 0.5 less the tolerance at both ends, in steps of 0.001.
+    EXPECT_EQ(least_steps(problem, cost_lower_bound(problem)), 500U);
+    problem.requirements.max_step = 0.01;
+    EXPECT_EQ(least_steps(problem, cost_lower_bound(problem)), 50U);
+    EXPECT_EQ(least_steps(problem, {infinity, {infinity}}), 0U);
+    problem.body = PlanarArm{};
+    EXPECT_EQ(least_steps(problem, {1, {1}}), 0U) << "an arm's lengths are angles";
+}
+
 TEST(CostLowerBound, ASingleAsvHasNoBroomAndMeetsNothing) {
     Problem problem;
     problem.start = {{0.1, 0.5}};
