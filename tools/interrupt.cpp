@@ -1,7 +1,6 @@
 #include "asv/tools/interrupt.hpp"
 
 #include <csignal>
-#include <ctime>
 
 #include <pthread.h>
 
@@ -9,31 +8,35 @@ namespace asv::tools {
 
 namespace {
 
-sigset_t interrupts() {
+/// Ends the watcher's wait when nothing has interrupted it.
+constexpr int wake_up = SIGUSR1;
+
+sigset_t watched() {
     sigset_t set;
     sigemptyset(&set);
-    sigaddset(&set, SIGINT);
-    sigaddset(&set, SIGTERM);
+    for (const int signal : {SIGINT, SIGTERM, wake_up}) sigaddset(&set, signal);
     return set;
 }
 
 }  // namespace
 
 InterruptWatch::InterruptWatch() {
-    const sigset_t set = interrupts();
+    const sigset_t set = watched();
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
     // A thread that waits for the signals may do what a signal handler must not.
-    watcher_ = std::jthread([this](const std::stop_token& done) {
-        const sigset_t waited = interrupts();
-        const timespec patience{0, 20'000'000};
-        while (!done.stop_requested())
-            if (sigtimedwait(&waited, nullptr, &patience) > 0) interrupted_.request_stop();
+    watcher_ = std::jthread([this, set](const std::stop_token& done) {
+        while (!done.stop_requested()) {
+            int signal = 0;
+            if (sigwait(&set, &signal) == 0 && signal != wake_up) interrupted_.request_stop();
+        }
     });
 }
 
 InterruptWatch::~InterruptWatch() {
-    watcher_ = {};
-    const sigset_t set = interrupts();
+    watcher_.request_stop();
+    pthread_kill(watcher_.native_handle(), wake_up);
+    watcher_.join();
+    const sigset_t set = watched();
     pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }
 
