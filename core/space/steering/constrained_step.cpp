@@ -97,7 +97,7 @@ std::span<const double> ConstrainedStep::solve(std::span<const double> wish) {
     auto step = program_.solve(wish);
     take(step);
     for (int i = 0; i < most_corrections && correct(step); ++i) {
-        step = program_.solve(wish);
+        step = program_.solve_again();
         take(step);
     }
     return next_;

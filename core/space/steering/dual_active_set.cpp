@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Core>
+
 namespace asv::core {
 
 namespace {
@@ -13,21 +15,33 @@ constexpr double accuracy = 1e-6;
 /// A row whose part across the active ones is smaller than this (squared) depends on them.
 constexpr double dependent = 1e-10;
 
-double dot(const double* a, const double* b, std::size_t count) {
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += a[i] * b[i];
-    return sum;
+using Vector = Eigen::Map<Eigen::VectorXd>;
+using ConstVector = Eigen::Map<const Eigen::VectorXd>;
+using ConstRows =
+    Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+
+Eigen::Index signed_size(std::size_t size) {
+    return static_cast<Eigen::Index>(size);
+}
+
+ConstVector vector_of(std::span<const double> values) {
+    return {values.data(), signed_size(values.size())};
+}
+
+Vector vector_of(std::vector<double>& values) {
+    return {values.data(), signed_size(values.size())};
 }
 
 }  // namespace
 
 DualActiveSet::DualActiveSet(std::size_t dimension)
-    : dimension_(dimension), change_(dimension), step_(dimension) {}
+    : dimension_(dimension), wish_(dimension), step_(dimension), change_(dimension) {}
 
 void DualActiveSet::clear() {
     rows_.clear();
     limits_.clear();
     compliances_.clear();
+    active_.clear();
 }
 
 std::span<double> DualActiveSet::add_row(double limit, double compliance) {
@@ -44,44 +58,75 @@ void DualActiveSet::drop_row() {
 }
 
 std::span<const double> DualActiveSet::solve(std::span<const double> wish) {
-    const std::size_t count = size();
-    std::copy(wish.begin(), wish.end(), step_.begin());
-    multipliers_.assign(count, 0.0);
+    std::copy(wish.begin(), wish.end(), wish_.begin());
+    step_ = wish_;
+    multipliers_.assign(size(), 0.0);
     active_.clear();
-    const double met =
-        accuracy * std::sqrt(std::max(dot(wish.data(), wish.data(), dimension_), 1e-12));
-
-    bool consistent = true;
-    for (std::size_t r = 0; r < count; ++r)
+    // Active rows are independent but for the springs, which their compliance makes so.
+    const auto springs = static_cast<std::size_t>(
+        std::count_if(compliances_.begin(), compliances_.end(), [](double c) { return c > 0; }));
+    stride_ = dimension_ + springs;
+    factor_.resize(stride_ * stride_);
+    for (std::size_t r = 0; r < size(); ++r)
         if (compliances_[r] > 0) activate(r);
+    return add_violated();
+}
+
+std::span<const double> DualActiveSet::solve_again() {
+    solve_active();
+    while (const auto pulling = most_pulling()) {
+        multipliers_[active_[*pulling]] = 0;
+        deactivate(*pulling);
+        solve_active();
+    }
+    step_ = wish_;
+    for (const std::size_t active : active_)
+        vector_of(step_) += multipliers_[active] * vector_of(row(active));
+    return add_violated();
+}
+
+/// Which active row pulls most where it may only push, if one does.
+std::optional<std::size_t> DualActiveSet::most_pulling() const {
+    std::optional<std::size_t> found;
+    double least = 0;
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+        if (compliances_[active_[i]] > 0 || multipliers_[active_[i]] >= least) continue;
+        least = multipliers_[active_[i]];
+        found = i;
+    }
+    return found;
+}
+
+/// Makes the row active that lacks most, until none lacks anything.
+std::span<const double> DualActiveSet::add_violated() {
+    const double met = accuracy * std::sqrt(std::max(vector_of(wish_).squaredNorm(), 1e-12));
     const std::size_t most_steps = 4 * (dimension_ + active_.size()) + 8;
+    bool consistent = true;
     for (std::size_t step = 0; consistent && step < most_steps; ++step) {
-        std::size_t worst = count;
+        find_missing();
+        std::size_t worst = size();
         double most = met;
-        for (std::size_t r = 0; r < count; ++r) {
-            if (compliances_[r] > 0) continue;
-            const double lacks = missing(r);
-            if (lacks > most) {
-                most = lacks;
-                worst = r;
-            }
+        for (std::size_t r = 0; r < size(); ++r) {
+            if (compliances_[r] > 0 || missing_[r] <= most) continue;
+            most = missing_[r];
+            worst = r;
         }
-        if (worst == count) break;
+        if (worst == size()) break;
         consistent = activate(worst);
     }
     pushed_ = std::any_of(active_.begin(), active_.end(),
                           [this](std::size_t r) { return compliances_[r] == 0; });
-    return step_;
+    return {step_.data(), dimension_};
 }
 
-/// What the row lacks at the current point.
-double DualActiveSet::missing(std::size_t row) const {
-    return limits_[row] - dot(gradient(row), step_.data(), dimension_) -
-           compliances_[row] * multipliers_[row];
+void DualActiveSet::find_missing() {
+    missing_.assign(limits_.begin(), limits_.end());
+    const ConstRows rows(rows_.data(), signed_size(size()), signed_size(dimension_));
+    vector_of(missing_).noalias() -= rows * vector_of(step_);
 }
 
 double DualActiveSet::gram(std::size_t a, std::size_t b) const {
-    return dot(gradient(a), gradient(b), dimension_) + (a == b ? compliances_[a] : 0);
+    return vector_of(row(a)).dot(vector_of(row(b))) + (a == b ? compliances_[a] : 0);
 }
 
 /// Fills direction_ with how the active multipliers give way to a unit of the row's own, and
@@ -107,12 +152,14 @@ double DualActiveSet::prepare_direction(std::size_t row) {
 
 /// Makes the row active, taking out rows that would have to pull; false when it contradicts the
 /// active ones.
-bool DualActiveSet::activate(std::size_t row) {
-    const double own = gram(row, row);
+bool DualActiveSet::activate(std::size_t added) {
+    const double own = gram(added, added);
     while (true) {
-        const double square = prepare_direction(row);
-        const bool spanned = square <= dependent * own;
-        double length = spanned ? std::numeric_limits<double>::infinity() : missing(row) / square;
+        const double square = prepare_direction(added);
+        const bool spanned = square <= dependent * own || active_.size() == stride_;
+        const double missing = limits_[added] - vector_of(row(added)).dot(vector_of(step_)) -
+                               compliances_[added] * multipliers_[added];
+        double length = spanned ? std::numeric_limits<double>::infinity() : missing / square;
         std::size_t leaving = active_.size();
         for (std::size_t i = 0; i < active_.size(); ++i) {
             if (compliances_[active_[i]] > 0 || direction_[i] <= 0) continue;
@@ -123,20 +170,18 @@ bool DualActiveSet::activate(std::size_t row) {
             }
         }
         if (!std::isfinite(length)) return false;
-        std::copy_n(gradient(row), dimension_, change_.begin());
-        multipliers_[row] += length;
+        vector_of(change_) = vector_of(row(added));
+        multipliers_[added] += length;
         for (std::size_t i = 0; i < active_.size(); ++i) {
-            const double* other = gradient(active_[i]);
-            for (std::size_t k = 0; k < dimension_; ++k) change_[k] -= direction_[i] * other[k];
+            vector_of(change_) -= direction_[i] * vector_of(row(active_[i]));
             multipliers_[active_[i]] -= length * direction_[i];
         }
-        for (std::size_t k = 0; k < dimension_; ++k) step_[k] += length * change_[k];
+        vector_of(step_) += length * vector_of(change_);
         if (leaving == active_.size()) {
-            // A row of its own length for each active row: the triangle lies packed.
-            factor_.resize(active_.size() * (active_.size() + 1) / 2);
-            factor_.insert(factor_.end(), forward_.begin(), forward_.end());
-            factor_.push_back(std::sqrt(square));
-            active_.push_back(row);
+            for (std::size_t i = 0; i < active_.size(); ++i)
+                factor(active_.size(), i) = forward_[i];
+            factor(active_.size(), active_.size()) = std::sqrt(square);
+            active_.push_back(added);
             return true;
         }
         multipliers_[active_[leaving]] = 0;
@@ -144,14 +189,38 @@ bool DualActiveSet::activate(std::size_t row) {
     }
 }
 
+/// Takes out an active row. The rows of the factor behind it reach one column too far then; Givens
+/// rotations of neighbouring columns turn them back into a triangle.
 void DualActiveSet::deactivate(std::size_t position) {
     active_.erase(active_.begin() + static_cast<std::ptrdiff_t>(position));
-    for (std::size_t i = position; i < active_.size(); ++i) {
-        for (std::size_t k = 0; k <= i; ++k) {
-            double value = gram(active_[i], active_[k]);
-            for (std::size_t j = 0; j < k; ++j) value -= factor(i, j) * factor(k, j);
-            factor(i, k) = k == i ? std::sqrt(std::max(value, 1e-300)) : value / factor(k, k);
+    for (std::size_t i = position; i < active_.size(); ++i)
+        for (std::size_t k = 0; k <= i + 1; ++k) factor(i, k) = factor(i + 1, k);
+    for (std::size_t k = position; k < active_.size(); ++k) {
+        const double a = factor(k, k), b = factor(k, k + 1);
+        const double length = std::sqrt(a * a + b * b);
+        const double cosine = a / length, sine = b / length;
+        for (std::size_t i = k; i < active_.size(); ++i) {
+            const double left = factor(i, k), right = factor(i, k + 1);
+            factor(i, k) = cosine * left + sine * right;
+            factor(i, k + 1) = cosine * right - sine * left;
         }
+    }
+}
+
+/// The multipliers with which the active rows, and no others, meet their limits.
+void DualActiveSet::solve_active() {
+    const std::size_t active = active_.size();
+    forward_.resize(active);
+    for (std::size_t i = 0; i < active; ++i) {
+        double value = limits_[active_[i]] - vector_of(row(active_[i])).dot(vector_of(wish_));
+        for (std::size_t k = 0; k < i; ++k) value -= factor(i, k) * forward_[k];
+        forward_[i] = value / factor(i, i);
+    }
+    for (std::size_t i = active; i-- > 0;) {
+        double value = forward_[i];
+        for (std::size_t k = i + 1; k < active; ++k)
+            value -= factor(k, i) * multipliers_[active_[k]];
+        multipliers_[active_[i]] = value / factor(i, i);
     }
 }
 

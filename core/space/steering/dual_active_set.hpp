@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,28 +38,34 @@ class DualActiveSet {
     /// last iterate, which meets the rows that are active.
     std::span<const double> solve(std::span<const double> wish);
 
+    /// The same for the wish of the last solve() after set_limit(): begins with the rows that were
+    /// active, of which most still are when the limits have changed a little.
+    std::span<const double> solve_again();
+
     /// Does an inequality push in the last solution?
     bool pushed() const { return pushed_; }
 
   private:
-    const double* gradient(std::size_t row) const { return rows_.data() + row * dimension_; }
-    double missing(std::size_t row) const;
+    double gram(std::size_t a, std::size_t b) const;
+    std::optional<std::size_t> most_pulling() const;
+    std::span<const double> add_violated();
+    void find_missing();
     double prepare_direction(std::size_t row);
     bool activate(std::size_t row);
     void deactivate(std::size_t position);
-    double gram(std::size_t a, std::size_t b) const;
-    double& factor(std::size_t row, std::size_t column) {
-        return factor_[row * (row + 1) / 2 + column];
-    }
+    void solve_active();
+    double& factor(std::size_t row, std::size_t column) { return factor_[row * stride_ + column]; }
 
     std::size_t dimension_;
     std::vector<double> rows_;  ///< size() x dimension
     std::vector<double> limits_, compliances_;
+    std::vector<double> wish_, step_, change_;
+    std::vector<double> missing_;  ///< what each row lacks at step_
     std::vector<double> multipliers_;
     std::vector<std::size_t> active_;
-    std::vector<double> factor_;  ///< lower Cholesky factor of their Gram matrix, packed row by row
-    std::vector<double> forward_, direction_, change_;
-    std::vector<double> step_;
+    std::vector<double> factor_;  ///< lower Cholesky factor of their Gram matrix, row by row
+    std::size_t stride_ = 0;      ///< of its rows
+    std::vector<double> forward_, direction_;
     bool pushed_ = false;
 };
 
