@@ -132,22 +132,31 @@ double DualActiveSet::gram(std::size_t a, std::size_t b) const {
 /// Fills direction_ with how the active multipliers give way to a unit of the row's own, and
 /// returns the square of the part of its gradient that the active ones do not span.
 double DualActiveSet::prepare_direction(std::size_t row) {
-    const std::size_t active = active_.size();
-    forward_.resize(active);
-    direction_.resize(active);
-    double square = gram(row, row);
-    for (std::size_t i = 0; i < active; ++i) {
-        double value = gram(row, active_[i]);
-        for (std::size_t k = 0; k < i; ++k) value -= factor(i, k) * forward_[k];
-        forward_[i] = value / factor(i, i);
-        square -= forward_[i] * forward_[i];
-    }
-    for (std::size_t i = active; i-- > 0;) {
-        double value = forward_[i];
-        for (std::size_t k = i + 1; k < active; ++k) value -= factor(k, i) * direction_[k];
-        direction_[i] = value / factor(i, i);
-    }
+    direction_.resize(active_.size());
+    for (std::size_t i = 0; i < active_.size(); ++i) direction_[i] = gram(row, active_[i]);
+    substitute_forward(direction_);
+    forward_ = direction_;
+    const double square = gram(row, row) - vector_of(forward_).squaredNorm();
+    substitute_back(direction_);
     return square;
+}
+
+/// Solves for the lower factor, in place.
+void DualActiveSet::substitute_forward(std::vector<double>& values) const {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double* row = factor_.data() + i * stride_;
+        values[i] -= vector_of({row, i}).dot(vector_of({values.data(), i}));
+        values[i] /= row[i];
+    }
+}
+
+/// Solves for its transpose, in place: row by row, as the factor lies in memory.
+void DualActiveSet::substitute_back(std::vector<double>& values) const {
+    for (std::size_t i = values.size(); i-- > 0;) {
+        const double* row = factor_.data() + i * stride_;
+        values[i] /= row[i];
+        Vector(values.data(), signed_size(i)) -= values[i] * vector_of({row, i});
+    }
 }
 
 /// Makes the row active, taking out rows that would have to pull; false when it contradicts the
@@ -209,19 +218,12 @@ void DualActiveSet::deactivate(std::size_t position) {
 
 /// The multipliers with which the active rows, and no others, meet their limits.
 void DualActiveSet::solve_active() {
-    const std::size_t active = active_.size();
-    forward_.resize(active);
-    for (std::size_t i = 0; i < active; ++i) {
-        double value = limits_[active_[i]] - vector_of(row(active_[i])).dot(vector_of(wish_));
-        for (std::size_t k = 0; k < i; ++k) value -= factor(i, k) * forward_[k];
-        forward_[i] = value / factor(i, i);
-    }
-    for (std::size_t i = active; i-- > 0;) {
-        double value = forward_[i];
-        for (std::size_t k = i + 1; k < active; ++k)
-            value -= factor(k, i) * multipliers_[active_[k]];
-        multipliers_[active_[i]] = value / factor(i, i);
-    }
+    direction_.resize(active_.size());
+    for (std::size_t i = 0; i < active_.size(); ++i)
+        direction_[i] = limits_[active_[i]] - vector_of(row(active_[i])).dot(vector_of(wish_));
+    substitute_forward(direction_);
+    substitute_back(direction_);
+    for (std::size_t i = 0; i < active_.size(); ++i) multipliers_[active_[i]] = direction_[i];
 }
 
 }  // namespace asv::core

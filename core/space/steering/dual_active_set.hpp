@@ -54,6 +54,8 @@ class DualActiveSet {
     bool activate(std::size_t row);
     void deactivate(std::size_t position);
     void solve_active();
+    void substitute_forward(std::vector<double>& values) const;
+    void substitute_back(std::vector<double>& values) const;
     double& factor(std::size_t row, std::size_t column) { return factor_[row * stride_ + column]; }
 
     std::size_t dimension_;
