@@ -92,12 +92,12 @@ class Solver {
         const double positions =
             5 * side / given_.requirements.max_step * static_cast<double>(given_.asv_count());
         const double obstacles = static_cast<double>(given_.obstacles.size());
-        return std::min(0.02 + 3e-6 * positions + 1e-5 * obstacles, 0.5 * options_.time_limit);
+        return std::min(0.01 + 1e-6 * positions + 4e-6 * obstacles, 0.5 * options_.time_limit);
     }
 
     /// Seconds that the lower bound takes at most, roughly.
     double time_of_bound() const {
-        return 1e-3 + 3e-5 * static_cast<double>(given_.obstacles.size());
+        return 1e-3 + 1e-5 * static_cast<double>(given_.obstacles.size());
     }
 
     std::uint64_t seed_of(std::size_t thread) const {

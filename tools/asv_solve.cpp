@@ -1,7 +1,10 @@
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -18,6 +21,7 @@
 #include "asv/tools/command_line.hpp"
 #include "asv/tools/interrupt.hpp"
 #include "asv/tools/progress_line.hpp"
+#include "asv/tools/time_limit_watch.hpp"
 
 namespace {
 
@@ -26,6 +30,7 @@ namespace io = asv::io;
 using asv::tools::CommandLine;
 using asv::tools::ExitCode;
 using asv::tools::ProgressLine;
+using asv::tools::TimeLimitWatch;
 
 struct Arguments {
     std::string problem, solution, stats, trees;
@@ -172,8 +177,37 @@ ExitCode exit_code(core::SolveStatus status) {
     return ExitCode::internal;
 }
 
+/// Says that the time is up, while the main thread is still busy, and ends the process.
+[[noreturn]] void give_up(const Arguments& arguments, bool quiet) {
+    core::SolveResult result;
+    result.status = core::SolveStatus::timeout;
+    result.reason = "time limit, before there was a path";
+    result.statistics.time_total = arguments.solve.time_limit;
+    ExitCode code = exit_code(result.status);
+    try {
+        if (!arguments.stats.empty()) write_stats(arguments, {}, result);
+        if (!quiet) report(arguments, result);
+    } catch (const std::exception& error) {
+        std::cerr << "asv-solve: " << error.what() << std::endl;
+        code = ExitCode::bad_output;
+    }
+    std::_Exit(static_cast<int>(code));
+}
+
+/// Ends the process at the time limit; a solver that can be stopped has done so before.
+std::unique_ptr<TimeLimitWatch> watch_time_limit(const Arguments& arguments, bool quiet) {
+    constexpr double never = 1e9;  // seconds; the clock cannot count much longer
+    const std::chrono::duration<double> limit(arguments.solve.time_limit);
+    if (limit.count() > never) return nullptr;
+    const auto moment =
+        arguments.solve.started + std::chrono::duration_cast<core::Clock::duration>(limit);
+    return std::make_unique<TimeLimitWatch>(moment,
+                                            [&arguments, quiet] { give_up(arguments, quiet); });
+}
+
 ExitCode solve_file(const CommandLine& command_line, Arguments& arguments) {
     arguments.solve.planner = chosen_planner(arguments);
+    auto time_limit = watch_time_limit(arguments, command_line.quiet());
     const io::ProblemFile file = io::read_problem(arguments.problem);
     command_line.print(file.warnings);
     if (const auto invalid = core::invalid_ends(file.problem); !invalid.empty()) {
@@ -201,6 +235,7 @@ ExitCode solve_file(const CommandLine& command_line, Arguments& arguments) {
             line.show(progress_text(progress));
         };
     const core::SolveResult result = core::solve(file.problem, arguments.solve);
+    time_limit.reset();
     line.clear();
     if (result.solution) io::write_solution(arguments.solution, *result.solution);
     if (!arguments.trees.empty()) write_trees(arguments, result, file.problem.asv_count());

@@ -191,6 +191,35 @@ TEST(SolveProgram, ASinglePointGoesRoundTheObstacle) {
     EXPECT_NEAR(solution.cost, 0.2 + 2 * 0.5, 0.02);
 }
 
+/// A point among so many small boxes that reading them alone takes longer than the limit below.
+std::string dusty_problem() {
+    std::string text = "1\n0.0005 0.0005\n0.9995 0.9995\n90000\n";
+    for (int i = 0; i < 300; ++i) {
+        for (int j = 0; j < 300; ++j) {
+            const std::string x = std::to_string((i + 0.4) / 300),
+                              y = std::to_string((j + 0.4) / 300);
+            const std::string right = std::to_string((i + 0.6) / 300);
+            const std::string top = std::to_string((j + 0.6) / 300);
+            text += x + ' ' + y + ' ' + right + ' ' + y + ' ' + right + ' ' + top + ' ' + x + ' ' +
+                    top + '\n';
+        }
+    }
+    return text;
+}
+
+TEST(SolveProgram, ATimeLimitEndsEvenTheReading) {
+    const TemporaryFolder folder;
+    const std::string problem = (folder / "p").string(), stats = (folder / "j").string();
+    io::write_file(problem, dusty_problem());
+    const Outcome outcome =
+        run_program("asv-solve", {problem, (folder / "s").string(), "--threads", "1",
+                                  "--time-limit", "0.001", "--stats", stats});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("timeout after"), std::string::npos) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(io::read_file(stats))["status"], "timeout");
+    EXPECT_EQ(folder.entries(), 2) << "no solution";
+}
+
 TEST(SolveProgram, WrongUsageNamesWhatThereIs) {
     const TemporaryFolder folder;
     const std::string file = (folder / "s").string();
