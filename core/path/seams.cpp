@@ -84,17 +84,19 @@ std::optional<Seam> vertical_seam(const Wall& left, const Wall& right, double to
 /// Adds the seams between walls that lie side by side, not one above the other.
 void add_vertical_seams(const std::vector<Wall>& walls, const Requirements& requirements,
                         double reach, std::vector<Seam>& seams) {
-    std::vector<const Wall*> by_left;
-    for (const Wall& wall : walls) by_left.push_back(&wall);
+    // Copies, so that those of one place lie side by side in memory; and their sides alone, to find
+    // that place.
+    std::vector<Wall> by_left(walls);
     std::sort(by_left.begin(), by_left.end(),
-              [](const Wall* a, const Wall* b) { return a->shrunk.low.x < b->shrunk.low.x; });
+              [](const Wall& a, const Wall& b) { return a.shrunk.low.x < b.shrunk.low.x; });
+    std::vector<double> sides;
+    for (const Wall& wall : by_left) sides.push_back(wall.shrunk.low.x);
     for (const Wall& left : walls) {
         const double side = left.shrunk.high.x;
-        auto next = std::partition_point(by_left.begin(), by_left.end(), [&](const Wall* wall) {
-            return wall->shrunk.low.x < side;
-        });
-        for (; next != by_left.end() && (*next)->shrunk.low.x <= side + reach; ++next) {
-            const auto seam = vertical_seam(left, **next, requirements.tolerance);
+        const auto first = std::lower_bound(sides.begin(), sides.end(), side);
+        for (auto next = static_cast<std::size_t>(first - sides.begin());
+             next < sides.size() && sides[next] <= side + reach; ++next) {
+            const auto seam = vertical_seam(left, by_left[next], requirements.tolerance);
             if (seam) seams.push_back(*seam);
         }
     }
