@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
-#include <memory>
 #include <optional>
+#include <vector>
 
-#include <cairo.h>
+#include <png.h>
 
 #include "asv/io/atomic_file.hpp"
 #include "asv/io/json_place.hpp"
@@ -147,58 +146,35 @@ Grid parse_pgm(std::string_view content, const std::string& name, double thresho
     return grid;
 }
 
-struct Input {
-    std::string_view rest;
+/// A PNG picture as libpng reads it; what it holds is given back on every way out.
+struct PngReader {
+    png_image image{};
+
+    PngReader() { image.version = PNG_IMAGE_VERSION; }
+    ~PngReader() { png_image_free(&image); }
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
 };
-
-cairo_status_t read_some(void* closure, unsigned char* data, unsigned int length) {
-    auto& input = *static_cast<Input*>(closure);
-    if (input.rest.size() < length) return CAIRO_STATUS_READ_ERROR;
-    std::memcpy(data, input.rest.data(), length);
-    input.rest.remove_prefix(length);
-    return CAIRO_STATUS_SUCCESS;
-}
-
-struct Destroy {
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-    void operator()(cairo_t* context) const { cairo_destroy(context); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
-
-/// The picture on white, in 8 bits for each colour, whatever it had.
-Surface on_white(cairo_surface_t* picture) {
-    const int width = cairo_image_surface_get_width(picture);
-    const int height = cairo_image_surface_get_height(picture);
-    Surface flat(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
-    const std::unique_ptr<cairo_t, Destroy> context(cairo_create(flat.get()));
-    cairo_set_source_rgb(context.get(), 1, 1, 1);
-    cairo_paint(context.get());
-    cairo_set_source_surface(context.get(), picture, 0, 0);
-    cairo_paint(context.get());
-    cairo_surface_flush(flat.get());
-    return flat;
-}
 
 Grid parse_png(std::string_view content, const std::string& name, double threshold) {
-    Input input{content};
-    const Surface picture(cairo_image_surface_create_from_png_stream(read_some, &input));
-    if (const auto status = cairo_surface_status(picture.get()); status != CAIRO_STATUS_SUCCESS)
-        throw ParseError(name, 1, 1, "a PNG picture", cairo_status_to_string(status));
-    const Surface flat = on_white(picture.get());
+    PngReader reader;
+    const auto require = [&](int done) {
+        if (done == 0) throw ParseError(name, 1, 1, "a PNG picture", reader.image.message);
+    };
+    require(png_image_begin_read_from_memory(&reader.image, content.data(), content.size()));
     Words words(content, name, false);
-    Grid grid =
-        make_grid(static_cast<std::uint64_t>(cairo_image_surface_get_width(flat.get())),
-                  static_cast<std::uint64_t>(cairo_image_surface_get_height(flat.get())), words);
-    const unsigned char* data = cairo_image_surface_get_data(flat.get());
-    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(flat.get()));
+    Grid grid = make_grid(reader.image.width, reader.image.height, words);
+    // 8 bits for each colour, whatever it had, on white.
+    reader.image.format = PNG_FORMAT_RGB;
+    const png_color white{255, 255, 255};
+    std::vector<unsigned char> pixels(PNG_IMAGE_SIZE(reader.image));
+    require(png_image_finish_read(&reader.image, &white, pixels.data(), 0, nullptr));
     for (std::size_t y = 0; y < grid.height; ++y) {
         for (std::size_t x = 0; x < grid.width; ++x) {
-            std::uint32_t pixel = 0;
-            std::memcpy(&pixel, data + (grid.height - 1 - y) * stride + 4 * x, sizeof pixel);
+            const unsigned char* pixel =
+                pixels.data() + 3 * ((grid.height - 1 - y) * grid.width + x);
             // ITU-R BT.601 luma.
-            const double luma = 0.299 * static_cast<double>(pixel >> 16 & 255) +
-                                0.587 * static_cast<double>(pixel >> 8 & 255) +
-                                0.114 * static_cast<double>(pixel & 255);
+            const double luma = 0.299 * pixel[0] + 0.587 * pixel[1] + 0.114 * pixel[2];
             grid.cells[y * grid.width + x] = luma <= threshold;
         }
     }
