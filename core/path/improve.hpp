@@ -25,9 +25,10 @@ struct WorkDone {
     std::uint64_t way_point_steps = 0;    ///< of an ElasticBand
 };
 
-/// Microseconds of a 2.8 GHz core, roughly, that so much takes for n ASVs. Work is counted, not
-/// timed, so that the same seed gives the same path on every machine.
-double work_of(const WorkDone& done, std::size_t asv_count);
+/// Microseconds of a 2.8 GHz core, roughly, that so much takes for so many ASVs among so many
+/// obstacles. Work is counted, not timed, so that the same seed gives the same path on every
+/// machine.
+double work_of(const WorkDone& done, std::size_t asv_count, std::size_t obstacle_count);
 
 /// Shortens a path until the work is spent: by turns with shortcuts (straight and sliding ones, of
 /// all lengths) and by pulling it taut; once that gains nothing more, the same with other paths,

@@ -42,7 +42,7 @@ class LinkImprovement {
 
   private:
     double spent() const {
-        return work_of({space_.state_checks(), space_.motion_checks()}, space_.dimension());
+        return link_work_of(space_.state_checks(), space_.motion_checks(), space_.dimension());
     }
 
     bool finished() const { return best_ <= good_enough_ || spent() >= end_ || limits_.expired(); }
@@ -89,6 +89,13 @@ double path_cost(const LinkSpace& space, const Rows& path) {
     for (std::size_t i = d; i < path.size(); i += d)
         sum += space.cost({path.data() + i - d, d}, {path.data() + i, d});
     return sum;
+}
+
+double link_work_of(std::uint64_t state_checks, std::uint64_t motion_checks,
+                    std::size_t dimension) {
+    const auto d = static_cast<double>(dimension);
+    return static_cast<double>(state_checks) * (0.2 + 0.07 * d) +
+           static_cast<double>(motion_checks) * (2 + 0.7 * d);
 }
 
 Rows improve_links(Rows path, LinkSpace& space, const std::function<AnotherPath(Rng&)>& another,

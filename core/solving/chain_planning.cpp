@@ -82,9 +82,10 @@ class ChainPlanning : public BodyPlanning {
             Attempt attempt = search(order.search_limits, draws, {});
             spent.state_checks += attempt.state_checks;
             spent.edge_checks += attempt.edge_checks;
-            return AnotherPath{std::move(attempt.search.path),
-                               work_of({attempt.state_checks, attempt.constrained_steps},
-                                       world_.problem.asv_count())};
+            return AnotherPath{
+                std::move(attempt.search.path),
+                work_of({attempt.state_checks, attempt.constrained_steps},
+                        world_.problem.asv_count(), world_.problem.obstacles.size())};
         };
         const auto on_better = [&](double better) {
             if (order.on_better) order.on_better(unit_ * better);

@@ -56,9 +56,10 @@ class LinkPlanning : public BodyPlanning {
             Attempt attempt = search(order.search_limits, draws, {});
             spent.state_checks += attempt.state_checks;
             spent.edge_checks += attempt.edge_checks;
-            return AnotherPath{std::move(attempt.search.path),
-                               work_of_search + work_of({attempt.state_checks, attempt.edge_checks},
-                                                        world_.dimension())};
+            return AnotherPath{
+                std::move(attempt.search.path),
+                work_of_search +
+                    link_work_of(attempt.state_checks, attempt.edge_checks, world_.dimension())};
         };
         Rows rows = improve_links(path, space,
                                   order.other_paths ? another : std::function<AnotherPath(Rng&)>{},
