@@ -22,6 +22,9 @@ constexpr double least_gain = 2e-4;
 constexpr double least_round_gain = 1e-4;
 /// A path that shortcuts leave so many times as long as the best one is not worth pulling taut.
 constexpr double hopeless = 1.25;
+/// Microseconds that a search takes at least, whatever it counts: one that goes straight to the
+/// goal counts next to nothing, and could be tried for ever.
+constexpr double least_search = 50;
 /// Searches in a row that fail before no more are tried.
 constexpr int most_failures = 5;
 
@@ -43,9 +46,9 @@ class Improvement {
     Rows run(Rows path, const std::function<AnotherPath(Rng&)>& another) {
         shorten(std::move(path));
         int failures = 0;
-        while (another && failures < most_failures && !exhausted()) {
+        while (another && best_ > 0 && failures < most_failures && !exhausted()) {
             AnotherPath other = another(rng_);
-            end_ -= other.work;
+            end_ -= std::max(other.work, least_search);
             failures = other.path.empty() ? failures + 1 : 0;
             if (other.path.empty()) continue;
             const Rows best = best_path_;

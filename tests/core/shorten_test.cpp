@@ -249,6 +249,25 @@ TEST(Improve, EndsWhenItHasTo) {
               wanderer.path);
 }
 
+TEST(Improve, SearchesThatCountNothingComeToAnEnd) {
+    Rng rng(3);
+    Wanderer wanderer(rng, 7, 4);
+    std::size_t searches = 0;
+    const auto another = [&](Rng&) {
+        ++searches;
+        return AnotherPath{wanderer.path, 0};
+    };
+    const Rows still(
+        wanderer.path.begin(),
+        wanderer.path.begin() + static_cast<std::ptrdiff_t>(wanderer.world.chain.dimension()));
+    improve(still, wanderer.checker, wanderer.world.metric, wanderer.steering, another, 1e4, {},
+            rng);
+    EXPECT_EQ(searches, 0U) << "nothing is shorter than no way at all";
+    improve(wanderer.path, wanderer.checker, wanderer.world.metric, wanderer.steering, another, 1e4,
+            {}, rng);
+    EXPECT_LE(searches, 1000U);
+}
+
 TEST(Improve, APathThatStaysWhereItIs) {
     Rng rng(1);
     Wanderer wanderer(rng, 3, 0);
