@@ -9,6 +9,7 @@
 #include "asv/core/space/classic_space.hpp"
 #include "asv/core/space/sliding_space.hpp"
 #include "asv/core/space/window.hpp"
+#include "asv/geometry/free_space.hpp"
 
 namespace asv::core {
 
@@ -55,12 +56,27 @@ Anchor anchor_of(const Planner& planner) {
                                                               : Anchor::centroid;
 }
 
+/// The problem as it is planned. A lone ASV has no broom that could collide, so that nothing
+/// forbids it to cross obstacles; it goes round them as chains do where there is a way round, and
+/// straight ahead where there is none.
+Problem planned(Problem problem) {
+    if (problem.asv_count() > 1) return problem;
+    std::vector<Box> kept_off;
+    for (const Box& box : problem.obstacles)
+        kept_off.push_back(geometry::grown(box, problem.requirements.tolerance));
+    geometry::FreeSpace plane(kept_off, problem.requirements.bounds);
+    const Point &start = problem.start[0], &goal = problem.goal[0];
+    if (!plane.is_free(start) || !plane.is_free(goal) || !plane.connected(start, goal))
+        problem.obstacles.clear();
+    return problem;
+}
+
 class ChainPlanning : public BodyPlanning {
   public:
     ChainPlanning(const Problem& problem, const Planner& planner)
         : planner_(planner),
           unit_(unit_of(problem)),
-          world_(in_units(bounded(problem), unit_), anchor_of(planner)) {}
+          world_(in_units(planned(bounded(problem)), unit_), anchor_of(planner)) {}
 
     Attempt search(const Limits& limits, Rng& rng, const Observer& observer) const override {
         const Observer in_units = [&](Progress progress) {

@@ -191,6 +191,16 @@ TEST(SolveProgram, ASinglePointGoesRoundTheObstacle) {
     EXPECT_NEAR(solution.cost, 0.2 + 2 * 0.5, 0.02);
 }
 
+TEST(SolveProgram, ASinglePointThatIsWalledInGoesStraightAhead) {
+    const TemporaryFolder folder;
+    const std::string problem = (folder / "p").string(), file = (folder / "s").string();
+    for (const std::string start : {"0.1 0.5", "0.5 0.5"}) {
+        io::write_file(problem, "1\n" + start + "\n0.9 0.5\n1\n0.4 0 0.6 0 0.6 1 0.4 1\n");
+        ASSERT_EQ(solve(problem, file).exit_code, 0) << start;
+        EXPECT_EQ(run_program("asv-validate", {problem, file, "--continuous"}).exit_code, 0);
+    }
+}
+
 /// A point among so many small boxes that reading them alone takes longer than the limit below.
 std::string dusty_problem() {
     std::string text = "1\n0.0005 0.0005\n0.9995 0.9995\n90000\n";
