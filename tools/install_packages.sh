@@ -12,6 +12,7 @@ build_packages=(
     libcli11-dev                   # command lines
     nlohmann-json3-dev             # JSON files
     libcairo2-dev pkg-config       # pictures
+    libsqlite3-dev                 # databases of benchmarks
 )
 test_packages=(
     libgtest-dev librapidcheck-dev # unit and property tests

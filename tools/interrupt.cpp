@@ -27,7 +27,8 @@ InterruptWatch::InterruptWatch() {
         const sigset_t waited = interrupts();
         const timespec patience{0, 20'000'000};
         while (!done.stop_requested())
-            if (sigtimedwait(&waited, nullptr, &patience) > 0) interrupted_.request_stop();
+            if (sigtimedwait(&waited, nullptr, &patience) > 0)
+                (interrupted_.stop_requested() ? again_ : interrupted_).request_stop();
     });
 }
 

@@ -1,4 +1,4 @@
-#include "scalar_chain.hpp"
+#include "asv/geometry/reference/scalar_chain.hpp"
 #include "scene.hpp"
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/box.hpp>

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "scalar_chain.hpp"
+#include "asv/geometry/reference/scalar_chain.hpp"
 #include "scene.hpp"
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "scalar_chain.hpp"
+#include "asv/geometry/reference/scalar_chain.hpp"
 #include "worlds.hpp"
 
 #include "asv/geometry/batch/line_check.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scalar_chain.hpp"
+#include "asv/geometry/reference/scalar_chain.hpp"
 
 #include "asv/geometry/box_index.hpp"
 

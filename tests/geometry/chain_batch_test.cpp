@@ -9,7 +9,7 @@
 #include "adversarial.hpp"
 #include "each_target.hpp"
 #include "exact_oracle.hpp"
-#include "scalar_chain.hpp"
+#include "asv/geometry/reference/scalar_chain.hpp"
 #include "worlds.hpp"
 #include <gtest/gtest.h>
 
