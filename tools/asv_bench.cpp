@@ -13,6 +13,7 @@
 #include "asv/io/atomic_file.hpp"
 #include "asv/io/benchmark/arena_database.hpp"
 #include "asv/io/benchmark/ompl_log.hpp"
+#include "asv/io/benchmark/plot.hpp"
 #include "asv/io/benchmark/runs_csv.hpp"
 #include "asv/io/benchmark/runs_json.hpp"
 #include "asv/io/benchmark/table.hpp"
@@ -38,6 +39,8 @@ struct Arguments {
     std::string direction = "forward";
     std::string table = "-";
     std::string csv, json, ompl_log, database;
+    std::vector<path> plots;
+    std::string theme = "light";
     core::BenchmarkPlan plan;
 };
 
@@ -85,11 +88,26 @@ void add_output_options(CLI::App& app, Arguments& arguments) {
                    "Write a text log of OMPL's benchmarks; with several problems or directions one "
                    "for each, its name before the ending");
     app.add_option("--database", arguments.database, "Write an SQLite database for Planner Arena");
+    app.add_option("--plot", arguments.plots,
+                   "Draw shares solved over time and costs: .svg, .png or .pdf; may be repeated")
+        ->allow_extra_args(false);
+    app.add_option("--theme", arguments.theme, "Colours of the plot: light or dark")
+        ->check(CLI::IsMember({"light", "dark"}))
+        ->capture_default_str();
+}
+
+io::PictureFormat format_of(const path& file) {
+    const std::string ending = file.extension().string();
+    if (ending == ".svg") return io::PictureFormat::svg;
+    if (ending == ".png") return io::PictureFormat::png;
+    if (ending == ".pdf") return io::PictureFormat::pdf;
+    throw UsageError("--plot " + file.string() + ": must end in .svg, .png or .pdf");
 }
 
 void complete_plan(Arguments& arguments) {
     core::BenchmarkPlan& plan = arguments.plan;
     plan.planners = asv::tools::parse_planners(arguments.planners);
+    for (const path& file : arguments.plots) static_cast<void>(format_of(file));
     plan.directions.clear();
     if (arguments.direction != "reversed") plan.directions.push_back(core::Direction::forward);
     if (arguments.direction != "forward") plan.directions.push_back(core::Direction::reversed);
@@ -110,6 +128,9 @@ std::vector<Output> files_of(const Arguments& arguments, const io::BenchmarkRepo
     add(arguments.csv, io::runs_csv);
     add(arguments.json, io::runs_json);
     add(arguments.database, io::arena_database);
+    const io::Theme theme = arguments.theme == "dark" ? io::Theme::dark : io::Theme::light;
+    for (const path& file : arguments.plots)
+        outputs.push_back({file, io::draw_benchmark(report, format_of(file), theme)});
     if (arguments.ompl_log.empty()) return outputs;
     const bool several = report.plan.problems.size() * report.plan.directions.size() > 1;
     for (const io::Experiment& experiment : io::experiments(report))
@@ -123,6 +144,7 @@ void require_places(const Arguments& arguments) {
     std::vector<std::string> files{arguments.csv, arguments.json, arguments.ompl_log,
                                    arguments.database};
     if (arguments.table != "-") files.push_back(arguments.table);
+    for (const path& file : arguments.plots) files.push_back(file.string());
     for (const std::string& file : files)
         if (!file.empty()) io::require_writable(file);
 }

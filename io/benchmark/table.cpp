@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "asv/core/benchmark/summary.hpp"
-#include "asv/io/number_text.hpp"
+#include "asv/io/benchmark/wording.hpp"
 
 namespace asv::io {
 
@@ -31,33 +31,16 @@ std::string cell(std::string_view text) {
     return result;
 }
 
-std::string plural(std::size_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-/// The digits that were given.
-std::string plain_number(double value) {
-    std::string text;
-    append_number(text, value);
-    return text;
-}
-
-std::string seeds_text(const core::BenchmarkPlan& plan) {
-    const std::string first = std::to_string(plan.first_seed);
-    if (plan.seeds == 1) return "Seed " + first;
-    return "Seeds " + first + " to " + std::to_string(plan.first_seed + plan.seeds - 1);
-}
-
 std::string heading(const BenchmarkReport& report) {
     const core::BenchmarkPlan& plan = report.plan;
     const BenchmarkSession& session = report.session;
     std::string text = "asv-bench " + session.version + ", " + utc_text(session.started) +
                        " UTC, " + cell(session.host) + " (" + cell(session.cpu) + ", " +
-                       plural(session.processors, "processor") + "). " + seeds_text(plan) +
-                       ", time limit " + plain_number(plan.time_limit) + " s, optimize " +
-                       plain_number(plan.optimize) + " s, " + plural(plan.threads, "thread") + ".";
+                       plural(session.processors, "processor") + "). " + plan_facts(plan) + ".";
     if (plan.jobs > 1)
-        text += " " + std::to_string(plan.jobs) + " runs side by side: their times are spoilt.";
+        text.append(" ")
+            .append(plural(plan.jobs, "run"))
+            .append(" side by side: their times are spoilt.");
     if (!report.complete())
         text += " Interrupted: " + std::to_string(report.runs.size()) + " of " +
                 std::to_string(core::run_count(plan)) + " runs.";
@@ -67,25 +50,6 @@ std::string heading(const BenchmarkReport& report) {
         short_number(1000 * session.unit()) + " ms (" + short_number(1000 * session.unit_before) +
         " before the runs, " + short_number(1000 * session.unit_after) +
         " after them). Nodes, state checks and costs are medians.\n";
-    return text;
-}
-
-/// "7 ASVs, 7 obstacles; no path costs less than 6.297".
-std::string facts(const core::Problem& problem, double lower_bound) {
-    std::string text;
-    switch (problem.body_kind()) {
-        case core::BodyKind::chain:
-            text = plural(problem.asv_count(), "ASV");
-            break;
-        case core::BodyKind::arm:
-            text = "arm with " + plural(problem.asv_count() - 1, "joint");
-            break;
-        case core::BodyKind::point:
-            text = "point";
-            break;
-    }
-    text += ", " + plural(problem.obstacles.size(), "obstacle");
-    if (lower_bound > 0) text += "; no path costs less than " + short_number(lower_bound);
     return text;
 }
 
@@ -154,7 +118,7 @@ std::string tables_of_problems(const BenchmarkReport& report, std::span<const Su
         if (!last || last->problem != summary.problem || last->direction != summary.direction)
             text += "\n### " + cell(problem.name) + ", " +
                     std::string(core::name(summary.direction)) + "\n\n" +
-                    facts(problem.problem, bound_of(summaries, summary.problem)) + ".\n\n" +
+                    problem_facts(problem.problem, bound_of(summaries, summary.problem)) + ".\n\n" +
                     column_heads("planner");
         text += row(report.plan.planners[summary.planner].label, summary, report.session.unit());
         last = &summary;
