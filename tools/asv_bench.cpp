@@ -22,6 +22,7 @@
 #include "asv/tools/interrupt.hpp"
 #include "asv/tools/machine.hpp"
 #include "asv/tools/progress_line.hpp"
+#include "asv/tools/run_in_child.hpp"
 
 namespace {
 
@@ -72,8 +73,7 @@ void add_plan_options(CLI::App& app, Arguments& arguments) {
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     app.add_option("--jobs", plan.jobs,
-                   "Runs side by side: sooner done, but their times are spoilt, and memory is not "
-                   "told")
+                   "Runs side by side: sooner done, but their times are spoilt")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
 }
@@ -187,17 +187,10 @@ class Progress {
 std::vector<core::BenchmarkRun> run_all(const core::BenchmarkPlan& plan, bool quiet) {
     const asv::tools::InterruptWatch interrupt;
     Progress progress(plan, !quiet);
-    const bool alone = plan.jobs == 1;
     core::BenchmarkWatch watch;
-    bool memory_known = false;
-    watch.before = [&](const core::RunPlace& place) {
-        progress.begin(place);
-        memory_known = alone && asv::tools::reset_peak_memory();
-    };
-    watch.after = [&](core::BenchmarkRun& run) {
-        if (memory_known) run.peak_memory_bytes = asv::tools::peak_memory();
-        progress.end();
-    };
+    watch.before = [&](const core::RunPlace& place) { progress.begin(place); };
+    watch.after = [&](const core::BenchmarkRun&) { progress.end(); };
+    watch.perform = asv::tools::run_in_child;
     watch.enough = interrupt.token();
     watch.abort = interrupt.again();
     return core::run_benchmark(plan, watch);
@@ -226,7 +219,10 @@ ExitCode bench(const CommandLine& command_line, Arguments& arguments) {
     report.runs = run_all(plan, command_line.quiet());
     for (const core::BenchmarkRun& run : report.runs)
         if (!run.fault.empty()) return report_fault(plan, run);
-    if (report.runs.empty()) return ExitCode::interrupted;
+    if (report.runs.empty()) {
+        std::cerr << "asv-bench: interrupted before a run had ended; nothing was written\n";
+        return ExitCode::interrupted;
+    }
     report.session.unit_after = core::seconds_per_million_checks();
     report.session.total = std::chrono::duration<double>(core::Clock::now() - begun).count();
     report.plan = std::move(plan);
@@ -242,7 +238,8 @@ ExitCode bench(const CommandLine& command_line, Arguments& arguments) {
 int main(int argc, char** argv) {
     CommandLine command_line(
         "asv-bench",
-        "Runs planners on problems with many seeds, each run as asv-solve would, checks every "
+        "Runs planners on problems with many seeds, each run as asv-solve would and in a process "
+        "of its own, checks every "
         "solution once more, and tells how it went. Runs that find no path are results: the exit "
         "code is 0 all the same. Ctrl-C ends it after the current run, pressed twice at once; what "
         "there is is written.",

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <fstream>
 
-#include <malloc.h>
 #include <unistd.h>
 
 namespace asv::tools {
@@ -42,13 +41,6 @@ std::optional<std::size_t> peak_memory() {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), kibibytes);
     if (error != std::errc{}) return std::nullopt;
     return 1024 * kibibytes;
-}
-
-bool reset_peak_memory() {
-    ::malloc_trim(0);
-    std::ofstream control("/proc/self/clear_refs");
-    control << "5";
-    return static_cast<bool>(control.flush());
 }
 
 }  // namespace asv::tools

@@ -13,11 +13,8 @@ std::string host_name();
 /// The model of the processor; "unknown processor" where the system does not tell.
 std::string cpu_name();
 
-/// The most memory that this process has held since the last reset_peak_memory(), in bytes,
-/// resident; none where the system does not tell.
+/// The most memory that this process has held, in bytes, resident; none where the system does not
+/// tell.
 std::optional<std::size_t> peak_memory();
-
-/// Gives freed memory back and starts peak_memory() anew; false where the system does not let it.
-bool reset_peak_memory();
 
 }  // namespace asv::tools

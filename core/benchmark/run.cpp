@@ -32,29 +32,6 @@ void require_runnable(const BenchmarkPlan& plan) {
     }
 }
 
-BenchmarkRun run_one(const BenchmarkPlan& plan, const RunPlace& place, std::stop_token abort) {
-    BenchmarkRun run;
-    run.place = place;
-    const Problem& problem = plan.problems[place.problem].problem;
-    SolveOptions options = solve_options(plan, place);
-    options.stop = std::move(abort);
-    try {
-        const SolveResult result = solve(problem, options);
-        run.status = result.status;
-        run.reason = result.reason;
-        run.spent = result.statistics;
-        if (result.solution) {
-            run.primitive_steps = result.solution->path.size() - 1;
-            run.fault = fault_of(problem, *result.solution);
-        }
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception& error) {
-        run.fault = error.what();
-    }
-    return run;
-}
-
 /// The runs that are still to do, shared by the jobs.
 class Queue {
   public:
@@ -68,7 +45,7 @@ class Queue {
     void work() {
         try {
             while (const std::optional<RunPlace> place = next())
-                keep(run_one(plan_, *place, watch_.abort));
+                keep(watch_.perform(plan_, *place, watch_.abort));
         } catch (...) {
             // One job after the other, so that the caller gets what the first one met.
             const std::lock_guard lock(mutex_);
@@ -115,6 +92,30 @@ class Queue {
 };
 
 }  // namespace
+
+BenchmarkRun run_once(const BenchmarkPlan& plan, const RunPlace& place,
+                      const std::stop_token& abort) {
+    BenchmarkRun run;
+    run.place = place;
+    const Problem& problem = plan.problems[place.problem].problem;
+    SolveOptions options = solve_options(plan, place);
+    options.stop = abort;
+    try {
+        const SolveResult result = solve(problem, options);
+        run.status = result.status;
+        run.reason = result.reason;
+        run.spent = result.statistics;
+        if (result.solution) {
+            run.primitive_steps = result.solution->path.size() - 1;
+            run.fault = fault_of(problem, *result.solution);
+        }
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        run.fault = error.what();
+    }
+    return run;
+}
 
 std::vector<BenchmarkRun> run_benchmark(const BenchmarkPlan& plan, const BenchmarkWatch& watch) {
     require_runnable(plan);
