@@ -14,10 +14,12 @@ namespace asv::tools {
 
 namespace {
 
-std::string trimmed(const std::string& text) {
-    const std::size_t begin = text.find_first_not_of(" \t");
-    if (begin == std::string::npos) return {};
-    return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+/// The words with one blank between them.
+std::string tidied(const std::string& text) {
+    std::istringstream words(text);
+    std::string result;
+    for (std::string word; words >> word;) result += (result.empty() ? "" : " ") + word;
+    return result;
 }
 
 /// Sets one KEY=VALUE of the planner and remembers it.
@@ -41,14 +43,15 @@ bool accept(const std::string& file, const io::ProblemFile& read) {
 
 }  // namespace
 
-core::BenchmarkPlanner parse_planner(const std::string& text) {
+core::BenchmarkPlanner parse_planner(const std::string& given) {
+    const std::string text = tidied(given);
     if (std::any_of(text.begin(), text.end(),
-                    [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\t'; }))
-        throw UsageError("--planner: control characters make no good label");
+                    [](char c) { return static_cast<unsigned char>(c) < ' '; }))
+        throw UsageError("--planner: there is a control character in it");
     const std::size_t colon = text.rfind(':');
     const std::string call = colon == std::string::npos ? text : text.substr(colon + 1);
     core::BenchmarkPlanner planner;
-    planner.label = trimmed(colon == std::string::npos ? text : text.substr(0, colon));
+    planner.label = tidied(text.substr(0, colon));
     std::istringstream words(call);
     std::string word;
     words >> word;
@@ -58,7 +61,7 @@ core::BenchmarkPlanner parse_planner(const std::string& text) {
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }
-    if (planner.label.empty()) planner.label = trimmed(call);
+    if (planner.label.empty()) planner.label = tidied(call);
     return planner;
 }
 

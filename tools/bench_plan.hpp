@@ -10,7 +10,7 @@ namespace asv::tools {
 
 /// A planner from "[LABEL:] NAME [KEY=VALUE]...", words parted by blanks; without a label its own
 /// words are one. Throws UsageError, which says what there is, for an unknown name or setting.
-core::BenchmarkPlanner parse_planner(const std::string& text);
+core::BenchmarkPlanner parse_planner(const std::string& given);
 
 /// All of them; "all" stands for every planner there is. Throws UsageError, also when two would
 /// have one label.
