@@ -112,6 +112,9 @@ bool send(int descriptor, std::string_view bytes) {
 
 [[noreturn]] void be_child(const core::BenchmarkPlan& plan, const core::RunPlace& place, int out) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    // The pipes of other jobs: each has to end with its own child.
+    ::close_range(STDERR_FILENO + 1, static_cast<unsigned>(out) - 1, 0);
+    ::close_range(static_cast<unsigned>(out) + 1, ~0U, 0);
     BenchmarkRun run;
     try {
         run = core::run_once(plan, place);
@@ -158,8 +161,6 @@ std::string how_it_ended(int status) {
 BenchmarkRun run_in_child(const core::BenchmarkPlan& plan, const core::RunPlace& place,
                           const std::stop_token& abort) {
     std::array<int, 2> ends{};
-    // Closed on exec is closed nowhere here, but a child of another job must not keep the end open
-    // for long: it ends by itself.
     if (::pipe(ends.data()) != 0) fail("pipe");
     const pid_t child = ::fork();
     if (child < 0) fail("fork");
