@@ -13,6 +13,7 @@ build_packages=(
     nlohmann-json3-dev             # JSON files
     libcairo2-dev pkg-config       # pictures
     libpng-dev                     # maps that are PNG pictures
+    libsqlite3-dev                 # databases of benchmarks
 )
 test_packages=(
     libgtest-dev librapidcheck-dev # unit and property tests

@@ -27,7 +27,8 @@ InterruptWatch::InterruptWatch() {
     watcher_ = std::jthread([this, set](const std::stop_token& done) {
         while (!done.stop_requested()) {
             int signal = 0;
-            if (sigwait(&set, &signal) == 0 && signal != wake_up) interrupted_.request_stop();
+            if (sigwait(&set, &signal) == 0 && signal != wake_up)
+                (interrupted_.stop_requested() ? again_ : interrupted_).request_stop();
         }
     });
 }

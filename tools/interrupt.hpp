@@ -15,9 +15,11 @@ class InterruptWatch {
     InterruptWatch& operator=(const InterruptWatch&) = delete;
 
     std::stop_token token() const { return interrupted_.get_token(); }
+    /// Asked for a second time.
+    std::stop_token again() const { return again_.get_token(); }
 
   private:
-    std::stop_source interrupted_;
+    std::stop_source interrupted_, again_;
     std::jthread watcher_;
 };
 

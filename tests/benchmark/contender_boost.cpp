@@ -1,9 +1,10 @@
-#include "scalar_chain.hpp"
 #include "scene.hpp"
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/segment.hpp>
+
+#include "asv/geometry/reference/scalar_chain.hpp"
 
 namespace asv::geometry::benchmark_scene {
 

@@ -1,8 +1,9 @@
 #include <algorithm>
 
-#include "scalar_chain.hpp"
 #include "scene.hpp"
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include "asv/geometry/reference/scalar_chain.hpp"
 
 namespace asv::geometry::benchmark_scene {
 

@@ -4,10 +4,10 @@
 #include <bit>
 #include <cmath>
 
-#include "scalar_chain.hpp"
 #include "worlds.hpp"
 
 #include "asv/geometry/batch/line_check.hpp"
+#include "asv/geometry/reference/scalar_chain.hpp"
 
 namespace asv::geometry::benchmark_scene {
 

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "scalar_chain.hpp"
-
 #include "asv/geometry/box_index.hpp"
+#include "asv/geometry/reference/scalar_chain.hpp"
 
 namespace asv::geometry::benchmark_worlds {
 

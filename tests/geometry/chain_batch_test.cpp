@@ -9,11 +9,11 @@
 #include "adversarial.hpp"
 #include "each_target.hpp"
 #include "exact_oracle.hpp"
-#include "scalar_chain.hpp"
 #include "worlds.hpp"
 #include <gtest/gtest.h>
 
 #include "asv/geometry/batch/sin_cos.hpp"
+#include "asv/geometry/reference/scalar_chain.hpp"
 
 namespace asv::geometry {
 namespace {

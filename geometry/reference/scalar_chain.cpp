@@ -1,4 +1,4 @@
-#include "scalar_chain.hpp"
+#include "asv/geometry/reference/scalar_chain.hpp"
 
 #include <cmath>
 

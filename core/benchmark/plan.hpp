@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "asv/core/problem.hpp"
+#include "asv/core/solve.hpp"
+
+/// What a benchmark shall run: every problem with every planner in every direction and every seed.
+
+namespace asv::core {
+
+enum class Direction { forward, reversed };
+
+/// "forward", "reversed".
+std::string_view name(Direction direction);
+
+struct BenchmarkProblem {
+    std::string name;  ///< what tables call it; no other problem of the plan has it
+    std::string file;  ///< where it was read from, for commands that repeat a run
+    Problem problem;
+};
+
+/// A planner with settings of its own.
+struct BenchmarkPlanner {
+    std::string label;  ///< what tables call it; no other planner of the plan has it
+    Planner planner;
+    std::vector<std::pair<std::string, std::string>> settings;  ///< what differs from the default
+};
+
+struct BenchmarkPlan {
+    std::vector<BenchmarkProblem> problems;
+    std::vector<BenchmarkPlanner> planners;
+    std::vector<Direction> directions = {Direction::forward};
+    std::uint64_t first_seed = 1;
+    std::size_t seeds = 10;   ///< first_seed, first_seed + 1, ...
+    double time_limit = 10;   ///< seconds for each run
+    double optimize = 0;      ///< seconds of improvement after the first solution
+    std::size_t threads = 1;  ///< of each run
+    std::size_t jobs = 1;     ///< runs side by side; more than one spoils all times
+};
+
+/// Which one of the runs of a plan: indices into it.
+struct RunPlace {
+    std::size_t problem = 0;
+    std::size_t planner = 0;
+    Direction direction = Direction::forward;
+    std::uint64_t seed = 1;
+};
+
+/// All runs by problem, direction, planner and seed: the order in which they are told.
+std::vector<RunPlace> places(const BenchmarkPlan& plan);
+
+/// How many there are.
+std::size_t run_count(const BenchmarkPlan& plan);
+
+/// The options of the run, exactly those of asv-solve with the same arguments; its clock starts
+/// now.
+SolveOptions solve_options(const BenchmarkPlan& plan, const RunPlace& place);
+
+}  // namespace asv::core

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "asv/core/benchmark/plan.hpp"
+
+/// Running a benchmark: a plan goes in, what each run found and spent comes out.
+
+namespace asv::core {
+
+/// One run and its outcome.
+struct BenchmarkRun {
+    RunPlace place;
+    SolveStatus status = SolveStatus::timeout;
+    std::string reason;  ///< why there is no solution; empty when solved
+    SolveStatistics spent;
+    std::size_t primitive_steps = 0;
+    std::optional<std::size_t> peak_memory_bytes;  ///< of its process, where it has one of its own
+    std::string fault;  ///< a bug: what was thrown, or what is wrong with the solution
+
+    bool solved() const { return status == SolveStatus::solved && fault.empty(); }
+};
+
+/// One run of the plan: solve(), then fault_of() what it found. Whatever solve() throws, but lack
+/// of memory, is a fault of the run.
+BenchmarkRun run_once(const BenchmarkPlan& plan, const RunPlace& place,
+                      const std::stop_token& abort = {});
+
+/// Who looks on. With several jobs before() and after() are called from several threads, one at a
+/// time.
+struct BenchmarkWatch {
+    std::function<void(const RunPlace&)> before = {};     ///< a run begins
+    std::function<void(const BenchmarkRun&)> after = {};  ///< a run has ended
+    std::stop_token enough = {};                          ///< no further run begins
+    std::stop_token abort = {};                           ///< the runs at work end, are dropped
+    /// Does a run: here, or in a process of its own.
+    std::function<BenchmarkRun(const BenchmarkPlan&, const RunPlace&, const std::stop_token&)>
+        perform = run_once;
+};
+
+/// Runs the plan and checks each solution once more, the motion between its steps included. Seeds
+/// are the outer loop of each problem and planners the inner one, so that a machine that slows down
+/// meanwhile slows all planners down. Ends early after the first run with a fault. The runs that
+/// took place are returned by problem, direction, planner and seed. Throws std::invalid_argument as
+/// solve() does, before anything has run.
+std::vector<BenchmarkRun> run_benchmark(const BenchmarkPlan& plan,
+                                        const BenchmarkWatch& watch = {});
+
+/// What the continuous check says against the solution; empty for a valid one.
+std::string fault_of(const Problem& problem, const Solution& solution);
+
+}  // namespace asv::core

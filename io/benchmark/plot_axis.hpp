@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace asv::io {
+
+/// From data to places on the page along one direction.
+struct Axis {
+    double low = 0, high = 1;  ///< of the data, low < high; both above 0 where logarithmic
+    double from = 0, to = 1;   ///< where they are on the page
+    bool logarithmic = false;
+
+    double at(double value) const;
+};
+
+struct Tick {
+    double value = 0;
+    std::string label;
+};
+
+/// A logarithmic axis of times in seconds whose ends are 1, 2 or 5 times a power of ten and enclose
+/// the given ones. Precondition: 0 < least <= greatest.
+Axis time_axis(double least, double greatest, double from, double to);
+
+/// Powers of ten, with 2 and 5 times them where there would be few: "1 ms", "10 s".
+std::vector<Tick> time_ticks(const Axis& axis);
+
+/// An axis whose ends enclose the given ones with some room. Precondition: least <= greatest.
+Axis cost_axis(double least, double greatest, double from, double to);
+
+/// Three to six round numbers.
+std::vector<Tick> cost_ticks(const Axis& axis);
+
+}  // namespace asv::io

@@ -1,0 +1,77 @@
+#include "asv/io/benchmark/report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+
+#include "asv/io/number_text.hpp"
+
+namespace asv::io {
+
+namespace {
+
+/// As it is where a shell would not touch it, else in single quotes.
+std::string quoted(const std::string& word) {
+    constexpr std::string_view plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=+:,@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string result = "'";
+    for (const char letter : word) {
+        if (letter == '\'')
+            result += "'\\''";
+        else
+            result += letter;
+    }
+    return result + "'";
+}
+
+std::string number(double value) {
+    std::string text;
+    append_number(text, value);
+    return text;
+}
+
+}  // namespace
+
+std::string planner_text(const core::BenchmarkPlanner& planner) {
+    std::string text{core::name(planner.planner)};
+    for (const auto& [key, value] : planner.settings) text += " " + key + "=" + value;
+    return text;
+}
+
+std::string solve_command(const core::BenchmarkPlan& plan, const core::RunPlace& place) {
+    const core::BenchmarkPlanner& planner = plan.planners[place.planner];
+    std::string text = "asv-solve " + quoted(plan.problems[place.problem].file) + " solution.txt" +
+                       " --planner " + std::string(core::name(planner.planner));
+    for (const auto& [key, value] : planner.settings) text += " --set " + quoted(key + "=" + value);
+    text += " --seed " + std::to_string(place.seed) + " --time-limit " + number(plan.time_limit) +
+            " --optimize " + number(plan.optimize) + " --threads " + std::to_string(plan.threads);
+    if (place.direction == core::Direction::reversed) text += " --reverse";
+    return text;
+}
+
+std::string utc_text(std::chrono::system_clock::time_point time) {
+    const std::time_t seconds = std::chrono::system_clock::to_time_t(time);
+    std::tm parts{};
+    ::gmtime_r(&seconds, &parts);
+    std::array<char, 32> text{};
+    std::strftime(text.data(), text.size(), "%F %T", &parts);
+    return text.data();
+}
+
+std::string short_number(double value) {
+    const double magnitude = std::abs(value);
+    int decimals = 0;
+    // 9.9996 is already 10.00.
+    for (double scale = 1000; magnitude != 0 && magnitude < scale * (1 - 5e-5) && decimals < 12;
+         scale /= 10)
+        ++decimals;
+    if (magnitude == 0 || magnitude < 1e-8) return "0";
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+    return text.data();
+}
+
+}  // namespace asv::io

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "asv/core/benchmark/plan.hpp"
+#include "asv/core/benchmark/run.hpp"
+
+namespace asv::io {
+
+/// Where and when a benchmark ran.
+struct BenchmarkSession {
+    std::string version;  ///< of this program
+    std::string host, cpu;
+    std::size_t processors = 1;
+    std::chrono::system_clock::time_point started;
+    double total = 0;                        ///< seconds that all took together
+    double unit_before = 1, unit_after = 1;  ///< seconds of 10^6 scalar state checks
+
+    /// The unit of the session: the mean of both.
+    double unit() const { return (unit_before + unit_after) / 2; }
+};
+
+/// All that the files of a benchmark tell.
+struct BenchmarkReport {
+    core::BenchmarkPlan plan;
+    std::vector<core::BenchmarkRun> runs;  ///< by problem, direction, planner and seed
+    BenchmarkSession session;
+
+    /// Were all runs of the plan made?
+    bool complete() const { return runs.size() == core::run_count(plan); }
+};
+
+/// "rrt-connect swap-limiter=on": name and settings, as --planner of asv-bench takes them.
+std::string planner_text(const core::BenchmarkPlanner& planner);
+
+/// A call of asv-solve that repeats the run, quoted for a shell.
+std::string solve_command(const core::BenchmarkPlan& plan, const core::RunPlace& place);
+
+/// "2026-11-25 16:06:21", in UTC.
+std::string utc_text(std::chrono::system_clock::time_point time);
+
+/// At most four significant digits and no exponent: "0.0123", "12.35", "1235", "123456".
+std::string short_number(double value);
+
+}  // namespace asv::io

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "asv/io/benchmark/report.hpp"
+
+namespace asv::io {
+
+/// One line for each run below a line of column names, as RFC 4180 has it (but with plain line
+/// ends): times in seconds, costs in workspace units; what is not known is empty.
+std::string runs_csv(const BenchmarkReport& report);
+
+}  // namespace asv::io

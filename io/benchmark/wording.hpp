@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "asv/core/benchmark/plan.hpp"
+
+/// Phrases that the table and the plot of a benchmark share.
+
+namespace asv::io {
+
+/// "1 obstacle", "2 obstacles".
+std::string plural(std::size_t count, const std::string& noun);
+
+/// "7 ASVs, 7 obstacles; no path costs less than 6.297"; a lower bound of 0 is not known.
+std::string problem_facts(const core::Problem& problem, double lower_bound);
+
+/// "Seeds 1 to 10, time limit 10 s, optimize 0 s, 1 thread".
+std::string plan_facts(const core::BenchmarkPlan& plan);
+
+}  // namespace asv::io

@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+#include "sample_report.hpp"
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "asv/io/benchmark/ompl_log.hpp"
+#include "asv/io/benchmark/runs_csv.hpp"
+#include "asv/io/benchmark/runs_json.hpp"
+
+namespace asv::io {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream input(text);
+    for (std::string line; std::getline(input, line);) lines.push_back(line);
+    return lines;
+}
+
+TEST(RunsCsv, HasALineForEachRun) {
+    const auto lines = lines_of(runs_csv(test::sample_report()));
+    ASSERT_EQ(lines.size(), 17U);
+    EXPECT_EQ(lines[0],
+              "problem,planner,settings,direction,seed,threads,status,reason,time_to_first_s,"
+              "time_to_first_u,time_total_s,cost_first,cost_of_search,cost,cost_lower_bound,"
+              "cost_ratio,primitive_steps,primitive_steps_lower_bound,tree_nodes,iterations,"
+              "state_checks,edge_checks,peak_memory_bytes");
+    EXPECT_EQ(lines[1],
+              "first,auto,auto,forward,3,1,solved,,0.015625,0.0625,0.515625,3,2.75,2.5,2,1.25,"
+              "700,600,30,7,400,50,3145728");
+    EXPECT_EQ(lines[8],
+              "first,swaps|1,rrt-connect swap-limiter=on,reversed,4,1,timeout,no path found: "
+              "deadline,,,10,,,,,,0,,1000,0,0,0,");
+    EXPECT_TRUE(lines[9].starts_with("\"second, it\",auto,")) << lines[9];
+}
+
+TEST(RunsJson, HoldsSessionSummaryAndRuns) {
+    const auto json = nlohmann::json::parse(runs_json(test::sample_report()));
+    EXPECT_EQ(json["session"]["unit_s"], 0.25);
+    EXPECT_EQ(json["session"]["complete"], true);
+    EXPECT_EQ(json["problems"][1]["file"], "cases/second, it.txt");
+    EXPECT_EQ(json["planners"][1]["planner"], "rrt-connect");
+    EXPECT_EQ(json["planners"][1]["settings"]["swap-limiter"], "on");
+    EXPECT_EQ(json["summary"].size(), 8U);
+    EXPECT_EQ(json["summary"][0]["time_to_first_s"]["median"], 0.03125);
+    EXPECT_EQ(json["summary"][0]["cost_ratio"]["median"], 1.25);
+    ASSERT_EQ(json["runs"].size(), 16U);
+    EXPECT_EQ(json["runs"][0]["tree_nodes"], nlohmann::json::parse("[10, 20]"));
+    EXPECT_EQ(json["runs"][0]["cost_history"].size(), 2U);
+    EXPECT_EQ(json["runs"][7]["status"], "timeout");
+    EXPECT_TRUE(json["runs"][7]["cost"].is_null());
+    EXPECT_TRUE(json["runs"][7]["cost_lower_bound"].is_null());
+    EXPECT_TRUE(json["runs"][7]["peak_memory_bytes"].is_null());
+    EXPECT_TRUE(
+        json["runs"][7]["command"].get<std::string>().ends_with("--seed 4 --time-limit 10 "
+                                                                "--optimize 0 --threads 1 "
+                                                                "--reverse"));
+}
+
+TEST(OmplLog, ReadsAsItsScriptReadsIt) {
+    const BenchmarkReport report = test::sample_report();
+    const auto all = experiments(report);
+    ASSERT_EQ(all.size(), 4U);
+    EXPECT_EQ(all[1].name, "first-reversed");
+    EXPECT_EQ(all[2].name, "second,_it");
+    const auto lines = lines_of(ompl_log(report, all[1]));
+    EXPECT_EQ(lines[0], "ASV version 1.2.3");
+    EXPECT_EQ(lines[1], "Experiment first-reversed");
+    EXPECT_EQ(lines[2], "0 experiment properties");
+    EXPECT_EQ(lines[3], "Running on host");
+    EXPECT_EQ(lines[4], "Starting at 1970-01-01 00:00:00");
+    EXPECT_EQ(lines[5], "<<<|");
+    const auto at = [&](const std::string& line, std::size_t from = 0) {
+        const auto found =
+            std::find(lines.begin() + static_cast<std::ptrdiff_t>(from), lines.end(), line);
+        EXPECT_NE(found, lines.end()) << line;
+        return static_cast<std::size_t>(found - lines.begin());
+    };
+    const std::size_t facts = at("3 is the random seed");
+    EXPECT_EQ(lines[facts - 1], "|>>>");
+    EXPECT_EQ(lines[facts + 1], "10 seconds per run");
+    EXPECT_EQ(lines[facts + 2], "0 MB per run");
+    EXPECT_EQ(lines[facts + 3], "2 runs per planner");
+    EXPECT_EQ(lines[facts + 4], "12.5 seconds spent to collect the data");
+    EXPECT_EQ(lines[facts + 5], "1 enum type");
+    EXPECT_EQ(lines[facts + 6],
+              "status|Unknown status|Invalid start|Invalid goal|Unrecognized goal type|Timeout|"
+              "Approximate solution|Exact solution|Crash|Abort|Infeasible");
+    EXPECT_EQ(lines[facts + 7], "2 planners");
+    EXPECT_EQ(lines[facts + 8], "auto");
+    const std::size_t runs = at("2 runs");
+    EXPECT_EQ(lines[runs + 1],
+              "0.015625; 3; 6; 1; 0; 1; 3; 0.5; 2.5; 1; 700; 30; 7; 400; 50; 2; 1.25; 0.0625; "
+              "0.515625; 3; ");
+    EXPECT_EQ(lines[runs + 3], "2 progress properties for each run");
+    EXPECT_EQ(lines[runs + 7], "0.015625,3,;0.265625,2.5,;");
+    EXPECT_EQ(lines[runs + 9], ".");
+    EXPECT_EQ(lines[runs + 10], "swaps|1");
+    const std::size_t others = at("2 runs", at("swaps|1"));
+    EXPECT_EQ(lines[others + 2], "10; ; 4; 0; 0; ; ; ; ; ; ; 1000; 0; 0; 0; ; ; 40; 10; 4; ");
+    EXPECT_EQ(lines.back(), ".");
+}
+
+TEST(OmplLog, SeveralExperimentsHaveSeveralFiles) {
+    const Experiment experiment{"maps/7ASV.txt-reversed", 0, core::Direction::reversed};
+    EXPECT_EQ(ompl_log_file("logs/bench.log", experiment, false), "logs/bench.log");
+    EXPECT_EQ(ompl_log_file("logs/bench.log", experiment, true),
+              "logs/bench-maps_7ASV.txt-reversed.log");
+}
+
+}  // namespace
+}  // namespace asv::io

@@ -1,0 +1,101 @@
+#include "asv/io/benchmark/table.hpp"
+
+#include "sample_report.hpp"
+#include <gtest/gtest.h>
+
+#include "asv/io/benchmark/report.hpp"
+
+namespace asv::io {
+namespace {
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(Table, HasASectionForEachProblemAndDirection) {
+    const std::string table = markdown_table(test::sample_report());
+    for (const char* heading : {"### first, forward\n", "### first, reversed\n",
+                                "### second, it, forward\n", "### second, it, reversed\n"})
+        EXPECT_TRUE(has(table, heading)) << table;
+    EXPECT_TRUE(has(table, "3 ASVs, 1 obstacle; no path costs less than 2.000.\n")) << table;
+}
+
+TEST(Table, TellsTheSessionAndItsUnit) {
+    const std::string table = markdown_table(test::sample_report());
+    EXPECT_TRUE(
+        table.starts_with("asv-bench 1.2.3, 1970-01-01 00:00:00 UTC, host (CPU, 2 "
+                          "processors). Seeds 3 to 4, time limit 10 s, optimize 0 s, 1 "
+                          "thread.\n"))
+        << table;
+    EXPECT_TRUE(has(table,
+                    "1 u is the time of 10^6 scalar state checks of 7 ASVs in this session: "
+                    "250.0 ms (125.0 before the runs, 375.0 after them)"))
+        << table;
+}
+
+TEST(Table, RowsHoldTheFiguresOfHand) {
+    const std::string table = markdown_table(test::sample_report());
+    // 1/64 s and 3/64 s: the deviation of the sample is sqrt(2)/64 s; the unit is 250 ms.
+    EXPECT_TRUE(has(table,
+                    "| auto | 2 of 2 | 31.25 | 46.88 | 31.25 | 22.10 | 0.1250 | 0.1875 | "
+                    "0.1250 | 30 | 400 | 3.000 | 2.500 | 1.250 |\n"))
+        << table;
+    EXPECT_TRUE(has(table, "| swaps\\|1 | 1 of 2 | 62.50 | 62.50 | 62.50 | 0 | 0.2500 |")) << table;
+}
+
+TEST(Table, ListsTheSeedsThatWereNotSolved) {
+    const std::string table = markdown_table(test::sample_report());
+    EXPECT_TRUE(
+        table.ends_with("\nNot solved:\n\n- first reversed, swaps\\|1: timeout (no path "
+                        "found: deadline), seed 4\n"))
+        << table;
+}
+
+TEST(Table, NoneSolvedHasNoFigures) {
+    BenchmarkReport report = test::sample_report();
+    for (core::BenchmarkRun& run : report.runs) run.status = core::SolveStatus::timeout;
+    EXPECT_TRUE(has(markdown_table(report),
+                    "| auto | 0 of 2 | - | - | - | - | - | - | - | - | - | - | - | - |\n"))
+        << markdown_table(report);
+}
+
+TEST(Table, OnePlannerHasProblemsAsRows) {
+    BenchmarkReport report = test::sample_report();
+    report.plan.planners.resize(1);
+    std::erase_if(report.runs, [](const core::BenchmarkRun& run) { return run.place.planner > 0; });
+    const std::string table = markdown_table(report);
+    EXPECT_TRUE(has(table, "### auto, forward\n\n| problem | solved |")) << table;
+    EXPECT_TRUE(has(table, "\n| first | 2 of 2 |")) << table;
+    EXPECT_TRUE(has(table, "\n| second, it | 2 of 2 |")) << table;
+    EXPECT_FALSE(has(table, "Not solved"));
+}
+
+TEST(Table, SaysWhatSpoilsIt) {
+    BenchmarkReport report = test::sample_report();
+    report.plan.jobs = 3;
+    report.runs.pop_back();
+    const std::string table = markdown_table(report);
+    EXPECT_TRUE(has(table, "3 runs side by side: their times are spoilt.")) << table;
+    EXPECT_TRUE(has(table, "Interrupted: 15 of 16 runs.")) << table;
+}
+
+TEST(ShortNumber, HasFourDigitsAndNoExponent) {
+    const std::vector<std::pair<double, std::string>> expected{
+        {0, "0"},           {1234567, "1234567"},      {9999.7, "10000"},  {999.96, "1000"},
+        {123.456, "123.5"}, {99.996, "100.0"},         {9.99961, "10.00"}, {1.5, "1.500"},
+        {0.5, "0.5000"},    {0.00012346, "0.0001235"}, {1e-9, "0"},        {-2.5, "-2.500"}};
+    for (const auto& [value, text] : expected) EXPECT_EQ(short_number(value), text);
+}
+
+TEST(SolveCommand, RepeatsARun) {
+    const BenchmarkReport report = test::sample_report();
+    EXPECT_EQ(solve_command(report.plan, {0, 0, core::Direction::forward, 3}),
+              "asv-solve cases/first.txt solution.txt --planner auto --seed 3 --time-limit 10 "
+              "--optimize 0 --threads 1");
+    EXPECT_EQ(solve_command(report.plan, {1, 1, core::Direction::reversed, 4}),
+              "asv-solve 'cases/second, it.txt' solution.txt --planner rrt-connect --set "
+              "swap-limiter=on --seed 4 --time-limit 10 --optimize 0 --threads 1 --reverse");
+}
+
+}  // namespace
+}  // namespace asv::io
