@@ -35,7 +35,7 @@ class Walk {
         while (place < end_) {
             double next = std::max(farthest(place, stride), place + 1e-12);
             const double way_point = std::floor(place) + 1;
-            if (next > way_point && !passes(place, next)) next = way_point;
+            if (next > way_point && !passes(place, next)) next = up_to(way_point, place);
             stride = std::max(next - place, 1e-9);
             place = next;
             stand_at(place);
@@ -106,6 +106,13 @@ class Walk {
             (middle_moved <= longest ? near_moved : far_moved) = middle_moved;
         }
         return near;
+    }
+
+    /// The way point behind the place, or how far one step comes on the motion to it: the path may
+    /// go out to a way point and come back within the stride that was looked at.
+    double up_to(double way_point, double place) {
+        if (moved(way_point) <= limit_) return way_point;
+        return std::max(farthest(place, way_point - place), place + 1e-12);
     }
 
     bool passes(double place, double next) {

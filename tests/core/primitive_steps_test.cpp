@@ -71,6 +71,20 @@ TEST(PrimitiveSteps, AStraightWayTakesNoStepTooMany) {
     }
 }
 
+TEST(PrimitiveSteps, AWayPointFartherOffThanBothOfItsNeighboursIsNoLongerStep) {
+    // Round the end of a wall that is thinner than a step is long: out by more than a step, and
+    // back.
+    const Point before{0.5, 0.5}, out{0.501, 0.5003}, after{0.5, 0.5006};
+    for (int i = 0; i < 100; ++i) {
+        const Point start{0.35 + 1e-5 * i, 0.5}, goal{0.35, 0.5006};
+        Problem problem = testing::problem({start}, {goal});
+        problem.obstacles = {{{0.3, 0.50027}, {0.50085, 0.50033}}};
+        expect_steps_of(problem, steps_of(problem, {start.x, start.y, before.x, before.y, out.x,
+                                                    out.y, after.x, after.y, goal.x, goal.y}));
+        if (HasFatalFailure()) return;
+    }
+}
+
 /// A path by slides among boxes, and the problem that asks for it.
 struct SlidePath {
     SlidePath(Rng& rng, std::size_t n) {
