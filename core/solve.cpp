@@ -119,7 +119,7 @@ class Solver {
         Rng rng(seed_of(thread));
         Costs costs;
         const Observer observer = note_costs(costs, thread == 0 ? make_observer() : Observer{});
-        Attempt attempt = planning_->search(limits, rng, observer);
+        Attempt attempt = planning_->search(limits, rng, observer, thread);
         const std::lock_guard lock(mutex_);
         SolveStatistics& statistics = result_.statistics;
         statistics.state_checks += attempt.state_checks;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -35,7 +36,9 @@ class BodyPlanning {
   public:
     virtual ~BodyPlanning() = default;
 
-    virtual Attempt search(const Limits& limits, Rng& rng, const Observer& observer) const = 0;
+    /// Racers are numbered from 0, which plans as the settings say; others may vary them.
+    virtual Attempt search(const Limits& limits, Rng& rng, const Observer& observer,
+                           std::size_t racer) const = 0;
 
     /// The cost of a path of configurations; that of its steps may differ by some 0.1 %.
     virtual double cost(const Rows& path) const = 0;

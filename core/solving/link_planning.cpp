@@ -41,7 +41,8 @@ class LinkPlanning : public BodyPlanning {
     LinkPlanning(const Problem& problem, const Planner& planner)
         : problem_(problem), planner_(planner), world_(problem) {}
 
-    Attempt search(const Limits& limits, Rng& rng, const Observer& observer) const override {
+    Attempt search(const Limits& limits, Rng& rng, const Observer& observer,
+                   std::size_t /*racer*/) const override {
         return std::visit(
             [&](const auto& chosen) { return run(chosen, world_, limits, rng, observer); },
             planner_);
@@ -53,7 +54,7 @@ class LinkPlanning : public BodyPlanning {
                  Attempt& spent) const override {
         LinkSpace space(world_);
         const auto another = [&](Rng& draws) {
-            Attempt attempt = search(order.search_limits, draws, {});
+            Attempt attempt = search(order.search_limits, draws, {}, 0);
             spent.state_checks += attempt.state_checks;
             spent.edge_checks += attempt.edge_checks;
             return AnotherPath{
