@@ -44,9 +44,9 @@ HWY_INLINE detail::LaneVerdict judge(const ChainLimits& limits, const BoxIndex& 
         verdict.valid |= valid << i;
     }
     LaneMask alive = verdict.valid;
-    auto on_hit = [&](std::uint32_t box, LaneMask hit, std::size_t first, std::size_t count) {
+    auto on_hit = [&](const Box& box, LaneMask hit, std::size_t first, std::size_t count) {
         verdict.certified &= ~hit;
-        alive &= ~meeting(scratch, boxes.boxes()[box], hit, first, count);
+        alive &= ~meeting(scratch, box, hit, first, count);
     };
     LinkSearch<Source::moving, decltype(on_hit)>(scratch, boxes.tree(), alive, on_hit).search();
     verdict.valid = alive;
@@ -103,9 +103,7 @@ ChainBatch::ChainBatch(std::size_t links, const ChainLimits& limits, const BoxIn
     const auto& tree = boxes.tree();
     if (tree.order.size() > detail::few_boxes) return;
     for (std::size_t i = 0; i < tree.order.size(); ++i) {
-        const auto& node = tree.nodes[i / geometry::detail::WideNode::width];
-        scratch_.few.push_back(
-            detail::grown(node, i % geometry::detail::WideNode::width, scratch_.slack));
+        scratch_.few.push_back(detail::grown(tree.boxes[i], scratch_.slack));
     }
 }
 
