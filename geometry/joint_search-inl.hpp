@@ -49,8 +49,9 @@ struct OpenNodes {
 
 /// Goes down the tree with several queries together, so that the processor can work on many nodes
 /// at once instead of waiting for one after the other: whatever is opened or looked at was asked
-/// for some work earlier. Calls visit(i, query) for every tree.boxes[i] that a query may reach; a
-/// query for which done(query) holds is given up.
+/// for some work earlier. Calls visit(i, query) for every tree.boxes[i] that a query may reach and,
+/// where there are leaves, for some a step farther; a query for which done(query) holds is given
+/// up.
 template <class Done, class Visit>
 class JointSearch {
   public:
@@ -154,8 +155,6 @@ class JointSearch {
     HWY_INLINE void look_at_found() {
         for (std::uint32_t i = 0; i < found_count_; ++i) {
             const auto [box, query] = found_[i];
-            const bool in_steps = !tree_.leaves.empty();
-            if (in_steps && !reaches(tree_.boxes[box], queries_[query])) continue;
             if (!done_(query)) visit_(box, query);
         }
         found_count_ = 0;

@@ -24,10 +24,10 @@ struct GrownBox {
 };
 
 inline GrownBox grown(const Box& box, float margin) {
-    const float low_x = geometry::detail::rounded_down(box.low.x) - margin;
-    const float low_y = geometry::detail::rounded_down(box.low.y) - margin;
-    const float high_x = geometry::detail::rounded_up(box.high.x) + margin;
-    const float high_y = geometry::detail::rounded_up(box.high.y) + margin;
+    const float low_x = static_cast<float>(box.low.x) - margin;
+    const float low_y = static_cast<float>(box.low.y) - margin;
+    const float high_x = static_cast<float>(box.high.x) + margin;
+    const float high_y = static_cast<float>(box.high.y) + margin;
     return {low_x,
             low_y,
             high_x,
