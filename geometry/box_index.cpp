@@ -20,93 +20,143 @@ namespace inl = detail::HWY_NAMESPACE;
 using detail::BoxQuery;
 using detail::BoxSearch;
 using detail::BoxTree;
+using detail::Leaf;
 using detail::NodeId;
 using detail::WideNode;
 
+/// Writes down which of the boxes from first on, one to a bit, the query reaches; returns how many.
+HWY_INLINE std::uint32_t write_down(const BoxTree& tree, std::uint32_t first, std::uint32_t bits,
+                                    BoxSearch& search) {
+    std::uint32_t count = 0;
+    for (; bits != 0; bits &= bits - 1) {
+        const std::uint32_t box = first + static_cast<std::uint32_t>(__builtin_ctz(bits));
+        if (inl::reaches(tree.boxes[box], search.query)) search.found[count++] = tree.order[box];
+    }
+    return count;
+}
+
 std::uint32_t Advance(const BoxTree& tree, BoxSearch& search) {
     const BoxQuery query = search.query;
+    const std::uint32_t lowest = tree.leaves.empty() ? 1 : 0;
     while (search.open_count > 0) {
-        const NodeId id = search.open[--search.open_count];
-        std::uint32_t bits = inl::candidates(tree.node(id), query);
-        std::uint32_t count = 0;
-        for (; bits != 0; bits &= bits - 1) {
-            const std::uint32_t lane =
-                id.index * WideNode::width + static_cast<std::uint32_t>(__builtin_ctz(bits));
-            if (id.level == 0) {
-                search.found[count++] = tree.order[lane];
-            } else {
-                search.open[search.open_count++] = {id.level - 1, lane};
-            }
+        const auto [level, index] = search.open[--search.open_count];
+        const std::uint32_t first = index * (level == 0 ? Leaf::width : WideNode::width);
+        std::uint32_t bits = level == 0
+                                 ? inl::candidates({tree.leaves[index], tree.frame(index)}, query)
+                                 : inl::candidates(tree.node({level, index}), query);
+        if (level == lowest) {
+            const std::uint32_t count = write_down(tree, first, bits, search);
+            if (count > 0) return count;
+            continue;
         }
-        if (count > 0) return count;
+        for (; bits != 0; bits &= bits - 1) {
+            const std::uint32_t child = first + static_cast<std::uint32_t>(__builtin_ctz(bits));
+            search.open[search.open_count++] = {level - 1, child};
+        }
     }
     return 0;
 }
 
-/// Below the distance of the query's segment to each box, infinity in lanes without a box.
-HWY_INLINE void lower_bounds(const WideNode& node, const BoxQuery& query, float* bounds) {
-    const inl::Float8 d;
+/// Below the distance of the query's segment to each box; anything in lanes without a box.
+template <class D, class Node>
+HWY_INLINE void lower_bounds(D d, const Node& node, std::uint32_t width, const BoxQuery& query,
+                             float* bounds) {
     const auto zero = hn::Zero(d);
     const auto most = hn::Set(d, std::numeric_limits<float>::max());
-    for (std::size_t i = 0; i < WideNode::width; i += hn::Lanes(d)) {
-        const auto low_x = inl::load_side(node, WideNode::low_x, i);
-        const auto low_y = inl::load_side(node, WideNode::low_y, i);
-        const auto high_x = inl::load_side(node, WideNode::high_x, i);
-        const auto high_y = inl::load_side(node, WideNode::high_y, i);
-        const auto x = hn::Max(zero, hn::Max(hn::Sub(low_x, hn::Set(d, query.high_x)),
-                                             hn::Sub(hn::Set(d, query.low_x), high_x)));
-        const auto y = hn::Max(zero, hn::Max(hn::Sub(low_y, hn::Set(d, query.high_y)),
-                                             hn::Sub(hn::Set(d, query.low_y), high_y)));
+    for (std::size_t i = 0; i < width; i += hn::Lanes(d)) {
+        const auto sides = inl::load_sides(d, node, i);
+        const auto x = hn::Max(zero, hn::Max(hn::Sub(sides.low_x, hn::Set(d, query.high_x)),
+                                             hn::Sub(hn::Set(d, query.low_x), sides.high_x)));
+        const auto y = hn::Max(zero, hn::Max(hn::Sub(sides.low_y, hn::Set(d, query.high_y)),
+                                             hn::Sub(hn::Set(d, query.low_y), sides.high_y)));
         // sqrt(x^2 + y^2) >= (x + y) / sqrt(2) cannot overflow on the way as the squares could.
         const auto diagonal = hn::Mul(hn::Set(d, 0.7071067F), hn::Add(hn::Min(x, most), y));
         auto bound = hn::Max(hn::Max(x, y), diagonal);
-        const auto [near, far] = inl::shadow(node, i, query);
+        const auto [near, far] = inl::shadow(d, node, sides, i, query);
         const auto normal = hn::Max(hn::Sub(near, hn::Set(d, query.normal_high)),
                                     hn::Sub(hn::Set(d, query.normal_low), far));
         bound = hn::IfThenElse(hn::Gt(normal, bound), normal, bound);
         bound = hn::Mul(hn::Min(bound, most), hn::Set(d, 1 - 0x1p-20F));
-        const auto infinity = hn::Set(d, std::numeric_limits<float>::infinity());
-        hn::StoreU(hn::IfThenElse(hn::Le(low_x, high_x), bound, infinity), d, bounds + i);
+        hn::StoreU(bound, d, bounds + i);
     }
 }
 
-/// A node or a box and how near it can be; the nearest first.
+/// A leaf or a node, or with level 0 a box, and how near it can be.
 struct Near {
     float bound;
-    NodeId id;
+    NodeId above;  ///< one level too high, so that there is room for boxes
 };
 
-/// Appends the lanes that may be nearer than best, the nearest last; returns the new end.
-HWY_INLINE Near* push_lanes(const WideNode& node, NodeId id, const BoxQuery& query, double best,
-                            Near* end) {
-    float bounds[WideNode::width];
-    lower_bounds(node, query, bounds);
-    Near* const begin = end;
-    for (std::uint32_t lane = 0; lane < WideNode::width; ++lane) {
-        if (!(static_cast<double>(bounds[lane]) < best)) continue;
-        Near* at = end++;
-        for (; at != begin && at[-1].bound < bounds[lane]; --at) *at = at[-1];
-        *at = {bounds[lane], {id.level, id.index * WideNode::width + lane}};
+/// The boxes nearest to a segment: a depth-first search, the nearest first.
+class NearestSearch {
+  public:
+    HWY_INLINE NearestSearch(const BoxTree& tree, const BoxQuery& query)
+        : tree_(tree), query_(query) {}
+
+    HWY_INLINE double run(std::span<const Box> boxes, const Segment& segment, double best) {
+        if (!tree_.nodes.empty()) *end_++ = {0, {tree_.levels(), 0}};
+        while (end_ != open_ && best > 0) {
+            const auto [bound, above] = *--end_;
+            if (bound >= best) continue;
+            if (above.level == 0) {
+                best = std::min(best, distance(segment, boxes[tree_.order[above.index]]));
+            } else if (above.level == 1) {
+                open_leaf(above.index, best);
+            } else {
+                open_node({above.level - 1, above.index}, best);
+            }
+        }
+        return best;
     }
-    return end;
-}
+
+  private:
+    HWY_INLINE void open_leaf(std::uint32_t leaf, double best) {
+        float bounds[Leaf::width] = {};
+        const detail::LeafFrame frame = tree_.frame(leaf);
+        // Steps that overflow tell nothing.
+        if (std::isfinite(frame.step_x) && std::isfinite(frame.step_y)) {
+            lower_bounds(inl::Float16(), inl::FramedLeaf{tree_.leaves[leaf], frame}, Leaf::width,
+                         query_, bounds);
+        }
+        push(bounds, 0, leaf * Leaf::width, tree_.order.size(), best);
+    }
+
+    HWY_INLINE void open_node(NodeId id, double best) {
+        float bounds[WideNode::width];
+        lower_bounds(inl::Float8(), tree_.node(id), WideNode::width, query_, bounds);
+        const std::uint32_t first = id.index * WideNode::width;
+        if (id.level > 1) {
+            push(bounds, id.level, first, tree_.node_count(id.level - 1), best);
+        } else if (tree_.leaves.empty()) {
+            push(bounds, 0, first, tree_.order.size(), best);
+        } else {
+            push(bounds, 1, first, tree_.leaves.size(), best);
+        }
+    }
+
+    /// Appends those that exist and may be nearer than best, the nearest last.
+    template <std::size_t width>
+    HWY_INLINE void push(const float (&bounds)[width], std::uint32_t level, std::uint32_t first,
+                         std::size_t end, double best) {
+        const Near* const begin = end_;
+        const std::size_t count = std::min(width, end - first);
+        for (std::uint32_t lane = 0; lane < count; ++lane) {
+            if (bounds[lane] >= best) continue;
+            Near* at = end_++;
+            for (; at != begin && at[-1].bound < bounds[lane]; --at) *at = at[-1];
+            *at = {bounds[lane], {level, first + lane}};
+        }
+    }
+
+    const BoxTree& tree_;
+    const BoxQuery& query_;
+    Near open_[BoxTree::most_open + Leaf::width];
+    Near* end_ = open_;
+};
 
 double Nearest(const BoxTree& tree, std::span<const Box> boxes, const Segment& segment,
                const BoxQuery& query, double best) {
-    Near open[BoxTree::most_open + WideNode::width];
-    Near* end = open;
-    if (!tree.nodes.empty()) *end++ = {0, {tree.levels(), 0}};
-    while (end != open && best > 0) {
-        const Near next = *--end;
-        if (!(static_cast<double>(next.bound) < best)) continue;
-        if (next.id.level == 0) {
-            best = std::min(best, distance(segment, boxes[tree.order[next.id.index]]));
-        } else {
-            const NodeId id{next.id.level - 1, next.id.index};
-            end = push_lanes(tree.node(id), id, query, best, end);
-        }
-    }
-    return best;
+    return NearestSearch(tree, query).run(boxes, segment, best);
 }
 
 }  // namespace

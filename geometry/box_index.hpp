@@ -13,7 +13,7 @@ namespace asv::geometry {
 
 /// A fixed set of boxes that answers which of them a segment may touch and how far the nearest is.
 ///
-/// A hierarchy of nodes eight boxes wide, each node answered by one SIMD comparison; up to 32 boxes
+/// A hierarchy of nodes eight boxes wide, each node answered by one SIMD comparison; up to 16 boxes
 /// are simply scanned. Queries cost O(log m + answers) when the boxes are spread over the plane,
 /// allocate nothing and may run in several threads at once. The answers, and their order, are the
 /// same on every processor.

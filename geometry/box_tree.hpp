@@ -14,13 +14,38 @@
 
 namespace asv::geometry::detail {
 
-/// Eight boxes side by side in single precision, each holding the original (rounded outwards). A
-/// lane without a box is NaN, which no comparison accepts.
+/// The sides of a box in the order in which nodes and leaves keep them.
+enum BoxSide : std::uint32_t { low_x, low_y, high_x, high_y };
+
+/// Eight boxes side by side in single precision, each round a node or a leaf one level below or
+/// round one of the boxes asked about (rounded outwards). A lane without a box is NaN, which no
+/// comparison accepts.
 struct alignas(64) WideNode {
     static constexpr std::uint32_t width = 8;
-    enum Side : std::uint32_t { low_x, low_y, high_x, high_y };
     std::array<std::array<float, width>, 4> side;
 };
+
+/// Sixteen boxes in one line of cache, each side as a number of steps from the low corner of the
+/// leaf (rounded outwards): among many boxes the waits for memory are what a search costs. Lanes
+/// without a box hold anything.
+struct alignas(64) Leaf {
+    static constexpr std::uint32_t width = 16;
+    static constexpr float most_steps = 255;
+    std::array<std::array<std::uint8_t, width>, 4> side;
+};
+
+/// What the steps of a leaf refer to: the low corner and the step along x and y.
+struct LeafFrame {
+    float x, y, step_x, step_y;
+};
+
+/// The frame of the leaf whose box is in that lane of the node above. A step is a 256th of that
+/// box, which is widened accordingly, so that most_steps of them reach the leaf's highest side.
+inline LeafFrame leaf_frame(const WideNode& parent, std::uint32_t lane) {
+    const float x = parent.side[low_x][lane], y = parent.side[low_y][lane];
+    return {x, y, (parent.side[high_x][lane] - x) * 0x1p-8F,
+            (parent.side[high_y][lane] - y) * 0x1p-8F};
+}
 
 /// For every byte the numbers of its set bits, the lowest first.
 inline constexpr auto set_bits = [] {
@@ -35,33 +60,44 @@ inline constexpr auto set_bits = [] {
 }();
 
 struct NodeId {
-    std::uint32_t level;  ///< on level 0 the lanes are the boxes themselves
+    std::uint32_t level;  ///< the leaves are level 0
     std::uint32_t index;  ///< within its level
 };
 
 /// A flat hierarchy without pointers: the child in lane l of node i is node 8 i + l one level
-/// below; on level 0 it is the box order[8 i + l]. The topmost level has one node, or none at all.
+/// below. The topmost level has one node, or none at all. Below level 1 are leaves, lane l of leaf
+/// i being box 16 i + l; or there are none, and lane l of node i is box 8 i + l itself: that is
+/// less work while all of it stays in a nearby cache.
 struct BoxTree {
-    static constexpr std::uint32_t most_roots = 4;
+    static constexpr std::size_t most_without_leaves = 1 << 15;
+    static constexpr std::uint32_t most_roots = 2;
     static constexpr std::uint32_t most_levels = 11;  ///< 8^11 > 2^32
     /// A depth-first search leaves at most seven siblings open on every level.
     static constexpr std::uint32_t most_open = most_roots + (WideNode::width - 1) * most_levels;
 
+    std::vector<Leaf> leaves;
+    std::vector<Box> boxes;            ///< those of all lanes in turn; NaN where there is none
+    std::vector<std::uint32_t> order;  ///< their numbers, without those of lanes without a box
     std::vector<WideNode> nodes;
-    std::vector<std::uint32_t> order;
-    std::vector<std::uint32_t> level_begin;  ///< first node of every level, and the end of the last
+    std::vector<std::uint32_t> level_begin;  ///< first node of every level from 1 on, and the end
     double reach = 0;                        ///< largest magnitude of a coordinate
 
-    std::uint32_t levels() const { return static_cast<std::uint32_t>(level_begin.size()) - 1; }
+    /// How many levels there are, with that of the leaves.
+    std::uint32_t levels() const { return static_cast<std::uint32_t>(level_begin.size()); }
+    /// Precondition: 1 <= level < levels().
     std::uint32_t node_count(std::uint32_t level) const {
-        return level_begin[level + 1] - level_begin[level];
+        return level_begin[level] - level_begin[level - 1];
     }
     /// Where a search for all boxes begins: it skips a topmost node with few children.
     std::uint32_t search_level() const {
         const std::uint32_t top = levels() - 1;
-        return top > 0 && node_count(top - 1) <= most_roots ? top - 1 : top;
+        return top > 1 && node_count(top - 1) <= most_roots ? top - 1 : top;
     }
-    const WideNode& node(NodeId id) const { return nodes[level_begin[id.level] + id.index]; }
+    /// Precondition: 1 <= id.level < levels().
+    const WideNode& node(NodeId id) const { return nodes[level_begin[id.level - 1] + id.index]; }
+    LeafFrame frame(std::uint32_t leaf) const {
+        return leaf_frame(nodes[leaf / WideNode::width], leaf % WideNode::width);
+    }
 };
 
 /// What a box has to reach to be found, in single precision and rounded so that none is lost: a
@@ -76,7 +112,7 @@ struct BoxSearch {
     BoxQuery query;
     std::uint32_t open_count = 0;
     std::array<NodeId, BoxTree::most_open> open;
-    std::array<std::uint32_t, WideNode::width> found;
+    std::array<std::uint32_t, Leaf::width> found;
 };
 
 /// Sorts the boxes that are not empty by median splits from the top down, so that every node but

@@ -15,6 +15,13 @@ double outside(double x, double low, double high) noexcept {
     return std::max({low - x, x - high, 0.0});
 }
 
+// Several times as fast as std::hypot where the squares neither overflow nor lose digits to
+// underflow. They, their sum and the root err by half an ulp each: 2u of the result.
+double length(double x, double y) noexcept {
+    const double square = x * x + y * y;
+    return square > 1e-280 && square < 1e280 ? std::sqrt(square) : std::hypot(x, y);
+}
+
 // Infinite where the point does not project between the ends: one of those is nearer to the box.
 double distance_to_interior(const Point& point, const Segment& segment) noexcept {
     const double dx = segment.b.x - segment.a.x;
@@ -35,7 +42,7 @@ double distance(const Point& point, const Box& box) noexcept {
     const double y = outside(point.y, box.low.y, box.high.y);
     if (x == 0) return y;
     if (y == 0) return x;
-    return std::hypot(x, y);
+    return length(x, y);
 }
 
 double distance(const Segment& segment, const Box& box) noexcept {

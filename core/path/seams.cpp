@@ -81,22 +81,38 @@ std::optional<Seam> vertical_seam(const Wall& left, const Wall& right, double to
     return seam;
 }
 
+/// The left side of a shrunk wall and how high the wall is: what most pairs are refused by, side by
+/// side in memory.
+struct LeftSide {
+    double x;
+    double low, high;
+    const Wall* wall;
+};
+
+std::vector<LeftSide> from_left_to_right(const std::vector<Wall>& walls) {
+    std::vector<LeftSide> sides;
+    sides.reserve(walls.size());
+    for (const Wall& wall : walls)
+        sides.push_back({wall.shrunk.low.x, wall.whole.low.y, wall.whole.high.y, &wall});
+    std::sort(sides.begin(), sides.end(),
+              [](const LeftSide& a, const LeftSide& b) { return a.x < b.x; });
+    return sides;
+}
+
 /// Adds the seams between walls that lie side by side, not one above the other.
 void add_vertical_seams(const std::vector<Wall>& walls, const Requirements& requirements,
                         double reach, std::vector<Seam>& seams) {
-    // Copies, so that those of one place lie side by side in memory; and their sides alone, to find
-    // that place.
-    std::vector<Wall> by_left(walls);
-    std::sort(by_left.begin(), by_left.end(),
-              [](const Wall& a, const Wall& b) { return a.shrunk.low.x < b.shrunk.low.x; });
-    std::vector<double> sides;
-    for (const Wall& wall : by_left) sides.push_back(wall.shrunk.low.x);
+    const std::vector<LeftSide> sides = from_left_to_right(walls);
+    // Twice the tolerance, as vertical_seam decides.
+    const double above = 2 * requirements.tolerance;
     for (const Wall& left : walls) {
-        const double side = left.shrunk.high.x;
-        const auto first = std::lower_bound(sides.begin(), sides.end(), side);
-        for (auto next = static_cast<std::size_t>(first - sides.begin());
-             next < sides.size() && sides[next] <= side + reach; ++next) {
-            const auto seam = vertical_seam(left, by_left[next], requirements.tolerance);
+        const double x = left.shrunk.high.x;
+        const double low = left.whole.low.y - above, high = left.whole.high.y + above;
+        auto next = std::partition_point(sides.begin(), sides.end(),
+                                         [x](const LeftSide& side) { return side.x < x; });
+        for (; next != sides.end() && next->x <= x + reach; ++next) {
+            if (next->low > high || next->high < low) continue;
+            const auto seam = vertical_seam(left, *next->wall, requirements.tolerance);
             if (seam) seams.push_back(*seam);
         }
     }

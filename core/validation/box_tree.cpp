@@ -43,29 +43,44 @@ bool Neighbourhood::may_reach(const Box& box, double reach) const {
 }
 
 BoxTree::BoxTree(std::span<const Box> boxes) {
-    items_.reserve(boxes.size());
+    std::vector<Entry> entries;
+    entries.reserve(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (!is_empty(boxes[i])) items_.push_back({boxes[i], static_cast<std::uint32_t>(i)});
+        if (is_empty(boxes[i])) continue;
+        const auto& [low, high] = boxes[i];
+        entries.push_back({static_cast<float>(low.x / 2 + high.x / 2),
+                           static_cast<float>(low.y / 2 + high.y / 2),
+                           static_cast<std::uint32_t>(i)});
     }
-    if (!items_.empty()) build(0, static_cast<std::uint32_t>(items_.size()));
+    items_.reserve(entries.size());
+    if (!entries.empty()) build(boxes, entries);
 }
 
-void BoxTree::build(std::uint32_t begin, std::uint32_t end) {
-    Box bounds = items_[begin].box;
-    for (std::uint32_t i = begin; i < end; ++i) bounds = around(bounds, items_[i].box);
+// Sorts no boxes but small entries for them, as most of the time goes into moving these about.
+void BoxTree::build(std::span<const Box> boxes, std::span<Entry> entries) {
     const std::size_t node = nodes_.size();
-    nodes_.push_back({bounds, begin, end, 0});
-    if (end - begin <= leaf_size) return;
-    const bool wide = bounds.high.x - bounds.low.x > bounds.high.y - bounds.low.y;
-    const auto middle_of = [wide](const Item& item) {
-        return wide ? item.box.low.x + item.box.high.x : item.box.low.y + item.box.high.y;
-    };
-    const std::uint32_t middle = begin + (end - begin) / 2;
-    std::nth_element(items_.begin() + begin, items_.begin() + middle, items_.begin() + end,
-                     [&](const Item& a, const Item& b) { return middle_of(a) < middle_of(b); });
-    build(begin, middle);
-    nodes_[node].right = static_cast<std::uint32_t>(nodes_.size());
-    build(middle, end);
+    const auto begin = static_cast<std::uint32_t>(items_.size());
+    nodes_.push_back({{}, begin, begin + static_cast<std::uint32_t>(entries.size()), 0});
+    if (entries.size() <= leaf_size) {
+        Box bounds = boxes[entries.front().index];
+        for (const Entry& entry : entries) {
+            items_.push_back({boxes[entry.index], entry.index});
+            bounds = around(bounds, items_.back().box);
+        }
+        nodes_[node].bounds = bounds;
+        return;
+    }
+    const auto [left, right] = std::ranges::minmax(entries, {}, &Entry::x);
+    const auto [bottom, top] = std::ranges::minmax(entries, {}, &Entry::y);
+    const auto key = right.x - left.x > top.y - bottom.y ? &Entry::x : &Entry::y;
+    const std::size_t middle = entries.size() / 2;
+    std::ranges::nth_element(entries, entries.begin() + static_cast<std::ptrdiff_t>(middle), {},
+                             key);
+    build(boxes, entries.first(middle));
+    const std::size_t other = nodes_.size();
+    nodes_[node].right = static_cast<std::uint32_t>(other);
+    build(boxes, entries.subspan(middle));
+    nodes_[node].bounds = around(nodes_[node + 1].bounds, nodes_[other].bounds);
 }
 
 }  // namespace asv::core::validation

@@ -27,7 +27,8 @@ class Neighbourhood {
 };
 
 /// Finds the boxes near a segment: a binary tree of bounding boxes, halved at the median of the
-/// wider side. It is the checker's own broad phase, so that the planner's cannot mislead it.
+/// axis along which the boxes' middles are farther apart. It is the checker's own broad phase, so
+/// that the planner's cannot mislead it.
 class BoxTree {
   public:
     /// Empty boxes are left out; the others keep their index. O(m log m).
@@ -73,7 +74,14 @@ class BoxTree {
         std::uint32_t right;
     };
 
-    void build(std::uint32_t begin, std::uint32_t end);
+    /// The middle of a box and its index.
+    struct Entry {
+        float x, y;
+        std::uint32_t index;
+    };
+
+    /// Appends the nodes and items of these entries, at least one.
+    void build(std::span<const geometry::Box> boxes, std::span<Entry> entries);
 
     std::vector<Item> items_;
     std::vector<Node> nodes_;

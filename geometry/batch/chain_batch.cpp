@@ -44,9 +44,9 @@ HWY_INLINE detail::LaneVerdict judge(const ChainLimits& limits, const BoxIndex& 
         verdict.valid |= valid << i;
     }
     LaneMask alive = verdict.valid;
-    auto on_hit = [&](std::uint32_t box, LaneMask hit, std::size_t first, std::size_t count) {
+    auto on_hit = [&](const Box& box, LaneMask hit, std::size_t first, std::size_t count) {
         verdict.certified &= ~hit;
-        alive &= ~meeting(scratch, boxes.boxes()[box], hit, first, count);
+        alive &= ~meeting(scratch, box, hit, first, count);
     };
     LinkSearch<Source::moving, decltype(on_hit)>(scratch, boxes.tree(), alive, on_hit).search();
     verdict.valid = alive;
@@ -80,11 +80,11 @@ HWY_EXPORT(Certify);
 // The slack of comparing a link with a box in single precision, where every coordinate is at most M
 // in magnitude, normals have length 1 and e = 2^-24. A shadow on the normal takes |x| + |y| <=
 // sqrt(2) of an error that both coordinates have. Such errors are e M each, of: the offset, the
-// normal, the sides of the box grown by the slack, its centre, its extent, and the products with
-// either: 7 sqrt(2) e M. The sums have at most 2.5 e M, 2.9 e M and 2.5 e M. That is less than 18 e
-// M; 2^-19 M is 32 e M. Where regions are compared, 2 e M would do. The sums of the stretches in
-// double precision are off by less than 2^-50 (1 + M + total length)^2 for up to a thousand links;
-// 2^-44 also leaves room to positions that are computed in another order.
+// normal, the sides of the box, these grown by the slack, its centre, its extent, and the products
+// with either: 8 sqrt(2) e M. The sums have at most 2.5 e M, 2.9 e M and 2.5 e M. That is less than
+// 20 e M; 2^-19 M is 32 e M. Where regions are compared, 3 e M would do. The sums of the stretches
+// in double precision are off by less than 2^-50 (1 + M + total length)^2 for up to a thousand
+// links; 2^-44 also leaves room to positions that are computed in another order.
 ChainBatch::ChainBatch(std::size_t links, const ChainLimits& limits, const BoxIndex& boxes)
     : limits_(limits), boxes_(boxes) {
     assert(links >= 1);
@@ -103,9 +103,7 @@ ChainBatch::ChainBatch(std::size_t links, const ChainLimits& limits, const BoxIn
     const auto& tree = boxes.tree();
     if (tree.order.size() > detail::few_boxes) return;
     for (std::size_t i = 0; i < tree.order.size(); ++i) {
-        const auto& node = tree.nodes[i / geometry::detail::WideNode::width];
-        scratch_.few.push_back(
-            detail::grown(node, i % geometry::detail::WideNode::width, scratch_.slack));
+        scratch_.few.push_back(detail::grown(tree.boxes[i], scratch_.slack));
     }
 }
 

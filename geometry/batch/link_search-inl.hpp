@@ -14,6 +14,7 @@
 #include "asv/geometry/batch/pack.hpp"
 #include "asv/geometry/batch/swept_link.hpp"
 #include "asv/geometry/box_query-inl.hpp"
+#include "asv/geometry/joint_search-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace asv::geometry::batch::HWY_NAMESPACE {
@@ -24,7 +25,6 @@ using detail::GrownBox;
 using detail::SweptLink;
 using geometry::detail::BoxQuery;
 using geometry::detail::BoxTree;
-using geometry::detail::WideNode;
 using query::Float8;
 using query::Floats;
 
@@ -142,40 +142,44 @@ class LinkSearch {
             search_few();
             return;
         }
+        const auto grown = [&](std::uint32_t i) {
+            return detail::grown(tree_.boxes[i], scratch_.slack);
+        };
         for (std::size_t k = 0; k < scratch_.links.size() && alive_ != 0; ++k) {
-            if (!search_jointly(scratch_.links[k], k, 1)) search_lanes(k);
+            if (!search_jointly(scratch_.links[k], k, 1, grown)) search_lanes(k);
         }
     }
 
   private:
     HWY_INLINE void search_few() {
         const std::size_t links = scratch_.links.size();
-        const bool worth_culling = scratch_.few.size() > WideNode::width;
-        if (worth_culling && search_jointly(scratch_.whole, 0, links)) return;
+        const bool worth_culling = scratch_.few.size() > lanes;
+        const auto few = [&](std::uint32_t i) -> const GrownBox& { return scratch_.few[i]; };
+        if (worth_culling && search_jointly(scratch_.whole, 0, links, few)) return;
         for (std::size_t i = 0; i < scratch_.few.size() && alive_ != 0; ++i) {
-            compare(scratch_.few[i], tree_.order[i], 0, links);
+            compare(scratch_.few[i], tree_.boxes[i], 0, links);
         }
     }
 
-    HWY_INLINE void compare(const GrownBox& box, std::uint32_t index, std::size_t first,
+    HWY_INLINE void compare(const GrownBox& grown, const Box& box, std::size_t first,
                             std::size_t count) {
-        if (count > 1 && (region_hits(scratch_.whole, box) & alive_) == 0) return;
+        if (count > 1 && (region_hits(scratch_.whole, grown) & alive_) == 0) return;
         const auto links = std::span(scratch_.links).subspan(first, count);
-        const LaneMask bits = hits<moving>(links, box, scratch_.slack) & alive_;
-        if (bits != 0) on_hit_(index, bits, first, count);
+        const LaneMask bits = hits<moving>(links, grown, scratch_.slack) & alive_;
+        if (bits != 0) on_hit_(box, bits, first, count);
     }
 
-    /// Where the lanes' regions cover each other well, compares all boxes near any of them with all
-    /// lanes. Returns whether it did.
-    HWY_INLINE bool search_jointly(const SweptLink& region, std::size_t first, std::size_t count) {
+    /// Where the lanes' regions cover each other well, compares all boxes near any of them, as
+    /// grown by grow(i), with all lanes. Returns whether it did.
+    template <class Grow>
+    HWY_INLINE bool search_jointly(const SweptLink& region, std::size_t first, std::size_t count,
+                                   Grow grow) {
         const BoxQuery joint = joint_query(region, alive_, scratch_.slack);
         if (!close_together(region, joint, alive_)) return false;
         query::for_each_candidate(
             tree_, std::span(&joint, 1), [&](std::uint32_t) { return alive_ == 0; },
-            [&](const WideNode& node, std::uint32_t lane, std::uint32_t, std::uint32_t box)
-                HWY_ATTR {
-                    compare(detail::grown(node, lane, scratch_.slack), box, first, count);
-                });
+            [&](std::uint32_t i, std::uint32_t)
+                HWY_ATTR { compare(grow(i), tree_.boxes[i], first, count); });
         return true;
     }
 
@@ -186,8 +190,11 @@ class LinkSearch {
         }
         query::for_each_candidate(
             tree_, queries, [&](std::uint32_t lane) { return (alive_ >> lane & 1) == 0; },
-            [&](const WideNode&, std::uint32_t, std::uint32_t lane, std::uint32_t box)
-                HWY_ATTR { on_hit_(box, 1U << lane, link, std::size_t{1}); });
+            [&](std::uint32_t i, std::uint32_t lane) HWY_ATTR {
+                const bool in_steps = !tree_.leaves.empty();
+                if (in_steps && !query::reaches(tree_.boxes[i], queries[lane])) return;
+                on_hit_(tree_.boxes[i], 1U << lane, link, std::size_t{1});
+            });
     }
 
     const detail::ChainScratch& scratch_;

@@ -23,11 +23,11 @@ struct GrownBox {
     float low_x, low_y, high_x, high_y, centre_x, centre_y, half_x, half_y;
 };
 
-inline GrownBox grown(const geometry::detail::WideNode& node, std::size_t lane, float margin) {
-    const float low_x = node.side[geometry::detail::WideNode::low_x][lane] - margin;
-    const float low_y = node.side[geometry::detail::WideNode::low_y][lane] - margin;
-    const float high_x = node.side[geometry::detail::WideNode::high_x][lane] + margin;
-    const float high_y = node.side[geometry::detail::WideNode::high_y][lane] + margin;
+inline GrownBox grown(const Box& box, float margin) {
+    const float low_x = static_cast<float>(box.low.x) - margin;
+    const float low_y = static_cast<float>(box.low.y) - margin;
+    const float high_x = static_cast<float>(box.high.x) + margin;
+    const float high_y = static_cast<float>(box.high.y) + margin;
     return {low_x,
             low_y,
             high_x,

@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "scene.hpp"
+#include "simd_target.hpp"
 #include "worlds.hpp"
 #include <benchmark/benchmark.h>
 
 /// State checks per second (kinematics, bounds, turns, closing turns, area, collision) on valid
 /// states, so that no check ends early: the SIMD kernels beside a scalar loop, CGAL and
 /// Boost.Geometry. Checks of valid lines: proofs beside a scalar loop in steps of 0.001. After the
-/// measurements, a table of the ratios of this same run.
+/// measurements, a table of the ratios of this same run. --simd=AVX2 or another of Highway's names
+/// forces the kernels onto one instruction set.
 
 namespace {
 
@@ -122,9 +124,29 @@ void register_case(const Case& wanted) {
     }
 }
 
+/// Takes --simd=TARGET out of the arguments and obeys it; false when it cannot.
+bool choose_simd_target(int& argc, char** argv) {
+    const std::string option = "--simd=";
+    for (int i = 1; i < argc; ++i) {
+        const std::string argument = argv[i];
+        if (!argument.starts_with(option)) continue;
+        if (!force_simd_target(argument.substr(option.size()))) {
+            std::fprintf(stderr, "no %s here; there are: %s\n", argument.c_str(),
+                         simd_target_names().c_str());
+            return false;
+        }
+        std::copy(argv + i + 1, argv + argc + 1, argv + i);
+        --argc;
+        break;
+    }
+    std::printf("kernels on %s\n", chosen_simd_target().c_str());
+    return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (!choose_simd_target(argc, argv)) return 2;
     for (const std::size_t points : {3, 7, 15, 25}) {
         for (const std::size_t boxes : {2, 7, 100, 10'000, 1'000'000}) {
             register_case({"dust", points, boxes});

@@ -107,6 +107,25 @@ TEST(BoxIndex, SameAsBruteForce) {
     }
 }
 
+// From some number of boxes on they are kept in steps of their leaf.
+TEST(BoxIndex, ManyBoxesAsByBruteForce) {
+    for (const std::int64_t target : simd_targets()) {
+        const ForcedTarget forced(target);
+        constexpr std::uint64_t seed = 32;
+        Adversary draw(seed);
+        for (const double size : {1.0, 1e-30, 1e6, 1e40, 1e-45, 1e300}) {
+            const int count = 32'760 + draw.pick(2000) + draw.pick(2) * 5000;
+            const BoxIndex index(random_boxes(draw, count, size));
+            for (int i = 0; i < 5; ++i) {
+                SCOPED_TRACE(::testing::Message() << "seed " << seed << ", target " << target
+                                                  << ", size " << size << ", query " << i);
+                expect_same_as_brute_force(index, draw, size);
+                if (HasFailure()) return;
+            }
+        }
+    }
+}
+
 TEST(BoxIndex, VisitStopsWhenTold) {
     const std::vector<Box> boxes(100, Box{{0, 0}, {1, 1}});
     const BoxIndex index(boxes);

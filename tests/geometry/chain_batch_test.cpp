@@ -143,6 +143,38 @@ TEST(ChainBatch, ValidAsByTheOracleWithTheSameBitsOnEveryTarget) {
     EXPECT_LT(valid_count, count - count / 10);
 }
 
+TEST(ChainBatch, AmongManyBoxesAsByLookingAtAllOfThem) {
+    constexpr std::uint64_t seed = 42;
+    Adversary draw(seed);
+    Random random(seed);
+    const ChainLimits limits = chain_limits(7);
+    const auto chains = random_chains(7, 8 * test_count(25), random, limits);
+    std::vector<Box> boxes = benchmark_worlds::dust(40'000, random);
+    const std::vector<Box> hard = hard_boxes(20, chains, limits, draw);
+    boxes.insert(boxes.end(), hard.begin(), hard.end());
+    const BoxIndex index(boxes);
+    ChainBatch batch(6, limits, index);
+    std::size_t valid_count = 0;
+    for (std::size_t i = 0; i < chains.size(); i += lanes) {
+        const auto eight = std::span(chains).subspan(i, lanes);
+        LaneMask expected = 0;
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const std::vector<Point> at = positions(eight[lane], limits);
+            const bool valid =
+                reference::shape_valid(eight[lane], at, limits) && !reference::meets_any(at, boxes);
+            expected |= static_cast<LaneMask>(valid) << lane;
+            valid_count += valid;
+        }
+        for (const std::int64_t target : simd_targets()) {
+            const ForcedTarget forced(target);
+            ASSERT_EQ(batch.valid(packed(eight)), expected)
+                << "seed " << seed << ", " << hwy::TargetName(target) << ", chain " << i;
+        }
+    }
+    EXPECT_GT(valid_count, chains.size() / 10);
+    EXPECT_LT(valid_count, chains.size() - chains.size() / 10);
+}
+
 /// One valid chain, and what each limit makes of it when it is drawn a little too tight.
 TEST(ChainBatch, EveryLimitCounts) {
     Random random(2);

@@ -77,6 +77,7 @@ TEST(LineCheck, ProvesWhatIsValidAndNothingElse) {
             if (HasFailure()) return;
         }
     }
+    check_lines(3, 40'000, tally);
     std::printf("%zu lines valid, %zu not; falsely refuted: %zu\n", tally.valid, tally.invalid,
                 tally.falsely_refuted);
     EXPECT_GT(tally.valid, (tally.valid + tally.invalid) / 10);
