@@ -63,9 +63,9 @@ WideNode empty_node() {
 
 // These pass over the NaN of lanes without a box.
 void include(FloatBox& hull, const FloatBox& box) {
-    for (const Side side : {low_x, low_y})
+    for (const BoxSide side : {low_x, low_y})
         hull[side] = box[side] < hull[side] ? box[side] : hull[side];
-    for (const Side side : {high_x, high_y})
+    for (const BoxSide side : {high_x, high_y})
         hull[side] = box[side] > hull[side] ? box[side] : hull[side];
 }
 

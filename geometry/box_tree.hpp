@@ -15,7 +15,7 @@
 namespace asv::geometry::detail {
 
 /// The sides of a box in the order in which nodes and leaves keep them.
-enum Side : std::uint32_t { low_x, low_y, high_x, high_y };
+enum BoxSide : std::uint32_t { low_x, low_y, high_x, high_y };
 
 /// Eight boxes side by side in single precision, each round a node or a leaf one level below or
 /// round one of the boxes asked about (rounded outwards). A lane without a box is NaN, which no
