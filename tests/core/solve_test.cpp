@@ -86,6 +86,39 @@ TEST_P(EachImage, IsSolvedAsWell) {
     }
 }
 
+/// Iterations that the search takes with each of so many seeds.
+std::vector<std::size_t> iterations(const Problem& problem, std::uint64_t seeds) {
+    std::vector<std::size_t> counts;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        const SolveResult result = solve(problem, plain(seed));
+        EXPECT_EQ(result.status, SolveStatus::solved) << "seed " << seed;
+        counts.push_back(result.statistics.iterations);
+    }
+    return counts;
+}
+
+/// The share of runs that a budget of iterations solves does not depend on how the problem lies.
+TEST_P(EachImage, IsSolvedAsSoonButForChance) {
+    const std::uint64_t seeds = scaled(60);
+    for (const char* file : {"3ASV-x4.txt", "7ASV-x2.txt"}) {
+        SCOPED_TRACE(file);
+        const Problem problem = testcase(file);
+        std::vector<std::size_t> original = iterations(problem, seeds);
+        const auto middle = original.begin() + static_cast<std::ptrdiff_t>(seeds / 2);
+        std::nth_element(original.begin(), middle, original.end());
+        const std::size_t budget = *middle;
+        const auto solved = [budget](const std::vector<std::size_t>& counts) {
+            return static_cast<double>(
+                std::ranges::count_if(counts, [budget](std::size_t n) { return n <= budget; }));
+        };
+        // Four standard deviations of the difference of two counts with a chance of a half.
+        const double chance = 4 * std::sqrt(0.5 * static_cast<double>(seeds));
+        EXPECT_NEAR(solved(iterations(image_of(problem, GetParam()), seeds)), solved(original),
+                    chance)
+            << "of " << seeds << " within " << budget << " iterations";
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Solve, EachImage, ::testing::ValuesIn(images),
                          [](const auto& given) { return std::string(given.param.label); });
 
