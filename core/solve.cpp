@@ -84,15 +84,15 @@ class Solver {
     }
 
     /// Seconds to keep for turning a path into steps, checking and writing it: some 5 sides of the
-    /// field for each ASV, in steps of the greatest length, at a few microseconds for each
-    /// position.
+    /// field for each ASV, in steps of the greatest length, at thrice the half microsecond that each
+    /// position takes.
     double time_to_finish() const {
         const Box window = planning_window(given_);
         const double side = std::max(window.high.x - window.low.x, window.high.y - window.low.y);
         const double positions =
             5 * side / given_.requirements.max_step * static_cast<double>(given_.asv_count());
         const double obstacles = static_cast<double>(given_.obstacles.size());
-        return std::min(0.01 + 1e-6 * positions + 4e-6 * obstacles, 0.5 * options_.time_limit);
+        return std::min(0.015 + 1.5e-6 * positions + 4e-6 * obstacles, 0.5 * options_.time_limit);
     }
 
     /// Seconds that the lower bound takes at most, roughly.
