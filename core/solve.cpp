@@ -66,11 +66,7 @@ class Solver {
         } else {
             improve_path();
             finish();
-            if (seconds_since(options_.started) + time_of_bound() < options_.time_limit) {
-                const CostLowerBound bound = cost_lower_bound(given_);
-                result_.statistics.cost_lower_bound = bound.total;
-                result_.statistics.steps_lower_bound = least_steps(given_, bound);
-            }
+            find_bounds();
         }
         result_.statistics.time_total = seconds_since(options_.started);
         return std::move(result_);
@@ -84,8 +80,8 @@ class Solver {
     }
 
     /// Seconds to keep for turning a path into steps, checking and writing it: some 5 sides of the
-    /// field for each ASV, in steps of the greatest length, at thrice the half microsecond that each
-    /// position takes.
+    /// field for each ASV, in steps of the greatest length, at thrice the half microsecond that
+    /// each position takes.
     double time_to_finish() const {
         const Box window = planning_window(given_);
         const double side = std::max(window.high.x - window.low.x, window.high.y - window.low.y);
@@ -95,9 +91,18 @@ class Solver {
         return std::min(0.015 + 1.5e-6 * positions + 4e-6 * obstacles, 0.5 * options_.time_limit);
     }
 
-    /// Seconds that the lower bound takes at most, roughly.
-    double time_of_bound() const {
-        return 1e-3 + 1e-5 * static_cast<double>(given_.obstacles.size());
+    /// What any path costs, as well as that can be told in the time that is left: at most some
+    /// quarter of it goes into searches, since the path that is found must not come too late.
+    void find_bounds() {
+        const double left = options_.time_limit - seconds_since(options_.started);
+        const double preparation = 1e-3 + 1e-5 * static_cast<double>(given_.obstacles.size());
+        if (left < preparation) return;
+        constexpr double cells_per_second = 5e5;
+        const auto effort =
+            static_cast<std::size_t>(std::min(cells_per_second * left, 1.0 * most_bound_effort));
+        const CostLowerBound bound = cost_lower_bound(given_, Reading::intended, effort);
+        result_.statistics.cost_lower_bound = bound.total;
+        result_.statistics.steps_lower_bound = least_steps(given_, bound);
     }
 
     std::uint64_t seed_of(std::size_t thread) const {

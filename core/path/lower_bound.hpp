@@ -14,6 +14,9 @@ struct CostLowerBound {
     std::vector<double> lengths;  ///< of the way of each ASV, or of an arm; their sum is the total
 };
 
+/// Cells that the searches of all ASVs together may enter: about half a second.
+inline constexpr std::size_t most_bound_effort = 1'000'000;
+
 /// No solution has fewer primitive steps than this, if none of them uses the tolerance of the step
 /// length: as many as the ASV with the longest way needs. 0 where no ASV moves freely (arms).
 std::size_t least_steps(const Problem& problem, const CostLowerBound& bound);
@@ -25,9 +28,10 @@ std::size_t least_steps(const Problem& problem, const CostLowerBound& bound);
 /// For an arm it is the straight way in the space of its joint angles, whatever the obstacles.
 ///
 /// Proven, in each reading, for the true cost of every path that the reading admits; the cost that
-/// a file states may differ from that by the tolerance. In a crowd of very many boxes (where the
-/// search would take more than about a second) the bound is smaller than the sum.
+/// a file states may differ from that by the tolerance. In a crowd of very many boxes, where the
+/// searches would enter more cells than `effort`, the bound is smaller than the sum.
 /// Precondition: start and goal are valid states.
-CostLowerBound cost_lower_bound(const Problem& problem, Reading reading = Reading::intended);
+CostLowerBound cost_lower_bound(const Problem& problem, Reading reading = Reading::intended,
+                                std::size_t effort = most_bound_effort);
 
 }  // namespace asv::core

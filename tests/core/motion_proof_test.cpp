@@ -70,7 +70,7 @@ struct Tally {
 class Place {
   public:
     Place(Rng& rng, std::size_t n, std::size_t boxes, double size)
-        : world_(cluttered(rng, n, boxes, size), Anchor::centroid),
+        : world_(testing::cluttered(rng, n, boxes, size), Anchor::centroid),
           checker_(world_.make_checker()),
           sampler_(checker_),
           limits_(limits_of(world_, 0)),
@@ -100,12 +100,6 @@ class Place {
     }
 
   private:
-    static Problem cluttered(Rng& rng, std::size_t n, std::size_t boxes, double size) {
-        Problem problem = testing::problem(ring(n, {0.2, 0.2}, 1), ring(n, {0.8, 0.8}, 2));
-        problem.obstacles = testing::clutter(rng, boxes, size, problem);
-        return problem;
-    }
-
     Row state(Rng& rng) {
         Row row(world_.start);
         while (!sampler_.sample(rng, row)) continue;

@@ -27,16 +27,10 @@ constexpr double rounding = 1e-12;
 /// A world of n ASVs among random boxes, and motions in it.
 struct Place {
     Place(Rng& rng, std::size_t n, std::size_t boxes, double size, Anchor anchor)
-        : world(cluttered(rng, n, boxes, size), anchor),
+        : world(testing::cluttered(rng, n, boxes, size), anchor),
           checker(world.make_checker()),
           sampler(checker),
           oracle(world) {}
-
-    static Problem cluttered(Rng& rng, std::size_t n, std::size_t boxes, double size) {
-        Problem problem = testing::problem(ring(n, {0.2, 0.2}, 1), ring(n, {0.8, 0.8}, 2));
-        problem.obstacles = testing::clutter(rng, boxes, size, problem);
-        return problem;
-    }
 
     Row state(Rng& rng) {
         Row row(world.start);

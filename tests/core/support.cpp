@@ -75,6 +75,12 @@ std::vector<Box> clutter(Rng& rng, std::size_t count, double size, const Problem
     return boxes;
 }
 
+Problem cluttered(Rng& rng, std::size_t n, std::size_t count, double size) {
+    Problem result = problem(ring(n, {0.2, 0.2}, 1), ring(n, {0.8, 0.8}, 2));
+    result.obstacles = clutter(rng, count, size, result);
+    return result;
+}
+
 Row row_of(const Chain& chain, const Points& positions) {
     Row row(chain.dimension());
     chain.configuration(positions, row);

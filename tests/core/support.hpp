@@ -54,6 +54,9 @@ Problem problem(Points start, Points goal, std::vector<Box> obstacles = {});
 /// Random boxes with sides from 0.01 to `size` that do not meet start or goal with some room.
 std::vector<Box> clutter(Rng& rng, std::size_t count, double size, const Problem& around);
 
+/// A ring of n ASVs that shall cross the square among so many such boxes.
+Problem cluttered(Rng& rng, std::size_t n, std::size_t count, double size);
+
 /// The row of the positions. The mean heading's whole turns are those of the chain's own.
 Row row_of(const Chain& chain, const Points& positions);
 

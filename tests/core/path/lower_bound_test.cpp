@@ -72,6 +72,25 @@ TEST(CostLowerBound, GoesRoundTheShrunkBox) {
     }
 }
 
+TEST(CostLowerBound, IsSmallerWithLessEffortAndStillABound) {
+    std::vector<Box> posts;
+    for (int i = 0; i < 20; ++i)
+        for (int j = 0; j < 20; ++j) {
+            const Point at{0.26 + 0.025 * i, 0.26 + 0.025 * j};
+            posts.push_back({at, {at.x + 0.015, at.y + 0.015}});
+        }
+    const Problem problem = three_from_to({0.1, 0.1}, {0.85, 0.85}, posts);
+    const double all = cost_lower_bound(problem).total;
+    double last = 0;
+    for (const std::size_t effort : {0U, 30U, 300U, 3000U}) {
+        const double bound = cost_lower_bound(problem, Reading::intended, effort).total;
+        EXPECT_GE(bound, last);
+        EXPECT_LE(bound, all);
+        last = bound;
+    }
+    EXPECT_GT(last, 0);
+}
+
 TEST(CostLowerBound, NeverExceedsAPathThatTheValidatorAccepts) {
     const Problem problem = wall_of_two(7, 0.95);
     const Solution squeezed = squeeze_through(problem);
