@@ -50,15 +50,16 @@ HWY_INLINE Sides<hn::Vec<Float16>> load_sides(Float16 d, const FramedLeaf& frame
         const hn::Rebind<std::uint8_t, Float16> bytes;
         const hn::Rebind<std::int32_t, Float16> integers;
         const auto steps = hn::Load(bytes, framed.leaf.side[side].data() + i);
-        return hn::MulAdd(hn::ConvertTo(d, hn::PromoteTo(integers, steps)), hn::Set(d, step),
-                          hn::Set(d, low));
+        return hn::Add(hn::Mul(hn::ConvertTo(d, hn::PromoteTo(integers, steps)), hn::Set(d, step)),
+                       hn::Set(d, low));
     };
     const auto& [x, y, step_x, step_y] = framed.frame;
     return {unpack(low_x, x, step_x), unpack(low_y, y, step_y), unpack(high_x, x, step_x),
             unpack(high_y, y, step_y)};
 }
 
-/// The ends of the boxes' shadows on the query's normal: far >= near.
+/// The ends of the boxes' shadows on the query's normal: far >= near. Nothing is fused, here and
+/// wherever else a proof depends on it, so that what is proven does not depend on the processor.
 template <class V>
 struct Shadow {
     V near, far;
@@ -73,8 +74,8 @@ HWY_INLINE Shadow<Floats> shadow(Float8 d, const WideNode& node, const Sides<Flo
     const auto y = hn::Set(d, query.normal_y);
     const auto far_y = load_side(node, low_y + up, i);
     const auto near_y = load_side(node, high_y - up, i);
-    return {hn::MulAdd(x, load_side(node, high_x - right, i), hn::Mul(y, near_y)),
-            hn::MulAdd(x, load_side(node, low_x + right, i), hn::Mul(y, far_y))};
+    return {hn::Add(hn::Mul(x, load_side(node, high_x - right, i)), hn::Mul(y, near_y)),
+            hn::Add(hn::Mul(x, load_side(node, low_x + right, i)), hn::Mul(y, far_y))};
 }
 
 template <class V>
@@ -86,8 +87,10 @@ HWY_INLINE Shadow<V> shadow(Float16 d, const FramedLeaf&, const Sides<V>& sides,
     const auto up = hn::Ge(y, hn::Zero(d));
     const auto far_y = hn::IfThenElse(up, sides.high_y, sides.low_y);
     const auto near_y = hn::IfThenElse(up, sides.low_y, sides.high_y);
-    return {hn::MulAdd(x, hn::IfThenElse(right, sides.low_x, sides.high_x), hn::Mul(y, near_y)),
-            hn::MulAdd(x, hn::IfThenElse(right, sides.high_x, sides.low_x), hn::Mul(y, far_y))};
+    const auto near_x = hn::IfThenElse(right, sides.low_x, sides.high_x);
+    const auto far_x = hn::IfThenElse(right, sides.high_x, sides.low_x);
+    return {hn::Add(hn::Mul(x, near_x), hn::Mul(y, near_y)),
+            hn::Add(hn::Mul(x, far_x), hn::Mul(y, far_y))};
 }
 
 template <class D>

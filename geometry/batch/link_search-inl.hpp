@@ -50,10 +50,11 @@ HWY_INLINE LaneMask hits(std::span<const SweptLink> links, const GrownBox& box, 
             const auto x = hn::Load(d, link.normal_x.data() + i);
             const auto y = hn::Load(d, link.normal_y.data() + i);
             const auto offset = hn::Load(d, link.offset.data() + i);
-            const auto between = hn::MulAdd(y, centre_y, hn::MulSub(x, centre_x, offset));
+            const auto between =
+                hn::Add(hn::Mul(y, centre_y), hn::Sub(hn::Mul(x, centre_x), offset));
             auto most = hn::Set(d, slack);
             if (moving) most = hn::Add(most, hn::Load(d, link.reach.data() + i));
-            most = hn::MulAdd(hn::Abs(y), half_y, hn::MulAdd(hn::Abs(x), half_x, most));
+            most = hn::Add(hn::Mul(hn::Abs(y), half_y), hn::Add(hn::Mul(hn::Abs(x), half_x), most));
             const auto apart = hn::Or(regions_apart(link, box, i), hn::Gt(hn::Abs(between), most));
             all_apart = hn::And(all_apart, apart);
         }
