@@ -33,7 +33,9 @@ ChainSpace::ChainSpace(const BroomWorld& world, double widest_corridor)
       other_pose_(world.chain.make_pose()),
       shapes_(checker_),
       cost_(world.chain),
-      next_(world.chain.dimension()) {}
+      next_(world.chain.dimension()) {
+    if (world.chain.asv_count() >= 3) batch_.emplace(world.chain, world.constraints, world.field);
+}
 
 WrappingAngles ChainSpace::wrapping() const {
     return {2, world_.chain.asv_count() < 2 ? 0U : 1U};
@@ -50,6 +52,14 @@ Steered ChainSpace::steer(std::span<const double> from, std::span<const double> 
     }
     visited.insert(visited.end(), target.begin(), target.end());
     return Steered::reached;
+}
+
+bool ChainSpace::motion_valid(std::span<const double> from, std::span<const double> to) {
+    using Verdict = BatchChecker::Verdict;
+    const Verdict verdict = batch_ ? batch_->motion(from, to) : Verdict::open;
+    if (verdict == Verdict::open) return checker_.valid(from, to);
+    ++settled_at_once_;
+    return verdict == Verdict::valid;
 }
 
 bool ChainSpace::from_unit_cube(std::span<const double> unit, std::span<double> row) {

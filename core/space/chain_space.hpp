@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "asv/core/path/motion_cost.hpp"
 #include "asv/core/planning/nearest.hpp"
 #include "asv/core/planning/result.hpp"
+#include "asv/core/space/batch_checker.hpp"
 #include "asv/core/space/broom_world.hpp"
 #include "asv/core/space/sampling/corridors.hpp"
 #include "asv/core/space/sampling/shape_sampler.hpp"
@@ -47,9 +49,8 @@ class ChainSpace {
     /// Does a broom meet an obstacle or is an ASV out of bounds? The shape does not count.
     bool collides(std::span<const double> row);
     bool valid(std::span<const double> row) { return checker_.valid(row); }
-    bool motion_valid(std::span<const double> from, std::span<const double> to) {
-        return checker_.valid(from, to);
-    }
+    /// As by the checker, asked for only where the batch kernel leaves it open.
+    bool motion_valid(std::span<const double> from, std::span<const double> to);
     /// The distance that all ASVs move.
     double cost(std::span<const double> from, std::span<const double> to) {
         return cost_(from, to);
@@ -63,8 +64,11 @@ class ChainSpace {
     bool sample_corridor(Rng& rng, std::span<double> row);
 
     MotionChecker& checker() { return checker_; }
-    std::uint64_t state_checks() const { return checker_.state_checks(); }
-    std::uint64_t motion_checks() const { return checker_.motion_checks(); }
+    /// A look of the batch kernel costs about as much as one check, and counts as that.
+    std::uint64_t state_checks() const {
+        return checker_.state_checks() + (batch_ ? batch_->looks() : 0);
+    }
+    std::uint64_t motion_checks() const { return checker_.motion_checks() + settled_at_once_; }
 
   protected:
     const BroomWorld& world_;
@@ -76,6 +80,8 @@ class ChainSpace {
   private:
     ShapeSampler shapes_;
     MotionCost cost_;
+    std::optional<BatchChecker> batch_;  ///< of at least 3 ASVs
+    std::uint64_t settled_at_once_ = 0;  ///< motions that the checker was not asked about
     std::vector<double> next_;
 };
 

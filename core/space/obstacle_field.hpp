@@ -48,6 +48,8 @@ class ObstacleField {
     bool contains(const geometry::Point& point) const;
 
     std::span<const geometry::Box> boxes() const { return boxes_; }
+    /// For the kernels that look at many configurations at once.
+    const geometry::BoxIndex& index() const { return index_; }
 
   private:
     std::vector<geometry::Box> boxes_;
