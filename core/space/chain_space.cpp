@@ -28,9 +28,9 @@ ChainSpace::ChainSpace(const BroomWorld& world, double widest_corridor)
     : world_(world),
       checker_(world.make_checker()),
       stepwise_(checker_, sharpest_turn(world)),
-      corridors_(world.constraints.boxes, world.constraints.bounds, widest_corridor),
       pose_(world.chain.make_pose()),
       other_pose_(world.chain.make_pose()),
+      widest_corridor_(widest_corridor),
       shapes_(checker_),
       cost_(world.chain),
       next_(world.chain.dimension()) {
@@ -123,6 +123,12 @@ double ChainSpace::least_cost(std::span<const double> from, std::span<const doub
     return sum;
 }
 
+const Corridors& ChainSpace::corridors() {
+    if (!corridors_)
+        corridors_.emplace(world_.constraints.boxes, world_.constraints.bounds, widest_corridor_);
+    return *corridors_;
+}
+
 bool ChainSpace::sample_stepwise(Rng& rng, std::span<double> row) {
     return stepwise_.sample(rng, StepwiseSampler::From::first_asv, std::nullopt, true, row);
 }
@@ -130,7 +136,7 @@ bool ChainSpace::sample_stepwise(Rng& rng, std::span<double> row) {
 bool ChainSpace::sample_corridor(Rng& rng, std::span<double> row) {
     const auto from =
         rng.chance(0.5) ? StepwiseSampler::From::first_asv : StepwiseSampler::From::last_asv;
-    return stepwise_.sample(rng, from, corridors_.sample(rng), true, row);
+    return stepwise_.sample(rng, from, corridors().sample(rng), true, row);
 }
 
 }  // namespace asv::core

@@ -71,13 +71,17 @@ class ChainSpace {
     std::uint64_t motion_checks() const { return checker_.motion_checks() + settled_at_once_; }
 
   protected:
+    /// Looked for when first asked for: among many obstacles that takes longer than many a search.
+    const Corridors& corridors();
+
     const BroomWorld& world_;
     MotionChecker checker_;
     StepwiseSampler stepwise_;  ///< its range of turns is that of start and goal
-    Corridors corridors_;
     Pose pose_, other_pose_;
 
   private:
+    double widest_corridor_;
+    std::optional<Corridors> corridors_;
     ShapeSampler shapes_;
     MotionCost cost_;
     std::optional<BatchChecker> batch_;  ///< of at least 3 ASVs

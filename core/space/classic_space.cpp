@@ -57,7 +57,7 @@ bool ClassicSpace::draw(Rng& rng, bool any_turn, std::span<double> row) {
     while (!use[kind] || chosen-- > 0) ++kind;
     if (kind == 0) return stepwise_.sample(rng, From::first_asv, std::nullopt, any_turn, row);
     return stepwise_.sample(rng, kind == 1 ? From::first_asv : From::last_asv,
-                            corridors_.sample(rng), any_turn, row);
+                            corridors().sample(rng), any_turn, row);
 }
 
 Steered ClassicSpace::steer(std::span<const double> from, std::span<const double> target,
