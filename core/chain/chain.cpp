@@ -71,24 +71,23 @@ Pose Chain::make_pose() const {
 }
 
 void Chain::forward(std::span<const double> row, Pose& pose) const {
-    pose.x[0] = row[0];
-    pose.y[0] = row[1];
-    if (asv_count_ < 2) return;
-    double heading = row[2];
-    for (std::size_t i = 0; i < turn_count(); ++i) heading -= heading_share_[i] * row[3 + i];
-    pose.heading[0] = heading;
-    for (std::size_t i = 0; i < turn_count(); ++i) pose.heading[i + 1] = heading += row[3 + i];
+    heading_rates(row, pose.heading);
     sine_cosine(pose.heading, pose.uy, pose.ux);
-    double x = row[0], y = row[1];
+    positions({row[0], row[1]}, pose.ux, pose.uy, pose.x, pose.y);
+}
+
+void Chain::positions(const Point& place, std::span<const double> ux, std::span<const double> uy,
+                      std::span<double> x, std::span<double> y) const {
+    double at_x = place.x, at_y = place.y;
     for (std::size_t k = 0; k < broom_count(); ++k) {
-        x += broom_length_ * anchor_lever_[k] * pose.ux[k];
-        y += broom_length_ * anchor_lever_[k] * pose.uy[k];
+        at_x += broom_length_ * anchor_lever_[k] * ux[k];
+        at_y += broom_length_ * anchor_lever_[k] * uy[k];
     }
-    pose.x[0] = x;
-    pose.y[0] = y;
+    x[0] = at_x;
+    y[0] = at_y;
     for (std::size_t k = 0; k < broom_count(); ++k) {
-        pose.x[k + 1] = x += link_length_[k] * pose.ux[k];
-        pose.y[k + 1] = y += link_length_[k] * pose.uy[k];
+        x[k + 1] = at_x += link_length_[k] * ux[k];
+        y[k + 1] = at_y += link_length_[k] * uy[k];
     }
 }
 

@@ -55,7 +55,13 @@ class Chain {
     /// Forward kinematics. Precondition: pose comes from make_pose() of an equal chain.
     void forward(std::span<const double> row, Pose& pose) const;
 
+    /// The part of it that comes after the headings: positions of the n points, given the first two
+    /// coordinates and the n - 1 unit vectors along the links.
+    void positions(const geometry::Point& place, std::span<const double> ux,
+                   std::span<const double> uy, std::span<double> x, std::span<double> y) const;
+
     /// The headings' rates for a displacement of the configuration; n - 1 entries.
+    /// Headings are linear in the configuration, so those of a configuration come from it likewise.
     void heading_rates(std::span<const double> displacement, std::span<double> rates) const;
 
     /// How much the position of the point at fraction s of broom j follows broom k: its derivative

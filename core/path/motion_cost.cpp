@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "asv/core/chain/sine_cosine.hpp"
+
 namespace asv::core {
 
 namespace {
@@ -14,27 +16,44 @@ constexpr double arc = 0.16;
 }  // namespace
 
 MotionCost::MotionCost(const Chain& chain)
-    : chain_(chain), pose_(chain.make_pose()), next_(chain.make_pose()), row_(chain.dimension()) {}
+    : chain_(chain),
+      row_(chain.dimension()),
+      step_(chain.dimension()),
+      heading_rate_(chain.broom_count()) {
+    for (auto* array : {&x_, &y_, &last_x_, &last_y_}) array->resize(chain.asv_count());
+}
 
 double MotionCost::operator()(std::span<const double> from, std::span<const double> to) {
-    chain_.forward(from, pose_);
-    chain_.forward(to, next_);
+    for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = to[i] - from[i];
+    chain_.heading_rates(step_, heading_rate_);
     double most = 0;
-    for (std::size_t k = 0; k < pose_.heading.size(); ++k)
-        most = std::max(most, std::abs(next_.heading[k] - pose_.heading[k]));
+    for (const double rate : heading_rate_) most = std::max(most, std::abs(rate));
     const auto pieces = static_cast<std::size_t>(most / arc) + 1;
+
+    // The sines of all moments at once: those of a few headings fill no vector.
+    const std::size_t brooms = chain_.broom_count();
+    places_.resize(pieces + 1);
+    for (auto* array : {&headings_, &sines_, &cosines_}) array->resize((pieces + 1) * brooms);
+    for (std::size_t moment = 0; moment <= pieces; ++moment) {
+        const double t = static_cast<double>(moment) / static_cast<double>(pieces);
+        for (std::size_t i = 0; i < row_.size(); ++i) row_[i] = from[i] + t * step_[i];
+        // Most motions are one piece; theirs are the very poses of the ends.
+        if (pieces == 1 && moment == 1) std::copy(to.begin(), to.end(), row_.begin());
+        places_[moment] = {row_[0], row_[1]};
+        chain_.heading_rates(row_, {headings_.data() + moment * brooms, brooms});
+    }
+    sine_cosine(headings_, sines_, cosines_);
+
     double sum = 0;
-    for (std::size_t piece = 1; piece <= pieces; ++piece) {
-        const double t = static_cast<double>(piece) / static_cast<double>(pieces);
-        if (pieces > 1) {
-            for (std::size_t i = 0; i < row_.size(); ++i) row_[i] = from[i] + t * (to[i] - from[i]);
-            chain_.forward(row_, next_);
-        }
-        for (std::size_t j = 0; j < pose_.x.size(); ++j) {
-            const double dx = next_.x[j] - pose_.x[j], dy = next_.y[j] - pose_.y[j];
+    for (std::size_t moment = 0; moment <= pieces; ++moment) {
+        chain_.positions(places_[moment], {cosines_.data() + moment * brooms, brooms},
+                         {sines_.data() + moment * brooms, brooms}, x_, y_);
+        for (std::size_t j = 0; moment > 0 && j < x_.size(); ++j) {
+            const double dx = x_[j] - last_x_[j], dy = y_[j] - last_y_[j];
             sum += std::sqrt(dx * dx + dy * dy);
         }
-        std::swap(pose_, next_);
+        std::swap(x_, last_x_);
+        std::swap(y_, last_y_);
     }
     return sum;
 }

@@ -20,8 +20,11 @@ class MotionCost {
 
   private:
     const Chain& chain_;
-    Pose pose_, next_;
-    std::vector<double> row_;
+    std::vector<double> row_, step_, heading_rate_;
+    // Of all moments, one after the other:
+    std::vector<geometry::Point> places_;
+    std::vector<double> headings_, sines_, cosines_;
+    std::vector<double> x_, y_, last_x_, last_y_;
 };
 
 }  // namespace asv::core
