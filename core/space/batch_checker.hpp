@@ -12,9 +12,9 @@
 namespace asv::core {
 
 /// Looks at a motion in one go: eight stretches of it at once, one to a SIMD lane
-/// (geometry::batch::ChainBatch). That costs less than one moment of MotionChecker and settles most
-/// of the long motions of a roadmap; what it leaves open takes MotionChecker. The same answers on
-/// every processor.
+/// (geometry::batch::ChainBatch). That costs about as much as one moment of MotionChecker and
+/// settles most of the long motions of a roadmap; what it leaves open takes MotionChecker. The same
+/// answers on every processor.
 ///
 /// Holds scratch memory and refers to itself: one for each thread, which stays where it was made.
 class BatchChecker {
