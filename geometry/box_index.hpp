@@ -6,6 +6,7 @@
 
 #include "asv/geometry/box_tree.hpp"
 #include "asv/geometry/distance.hpp"
+#include "asv/geometry/dust_grid.hpp"
 #include "asv/geometry/primitives.hpp"
 #include "asv/geometry/segment_box.hpp"
 
@@ -22,7 +23,9 @@ class BoxIndex {
     /// Keeps a copy of the boxes. Empty boxes keep their number but are never found. O(m log m).
     /// Precondition: finite coordinates; fewer than 2^32 boxes.
     explicit BoxIndex(std::span<const Box> boxes)
-        : boxes_(boxes.begin(), boxes.end()), tree_(detail::build_box_tree(boxes)) {}
+        : boxes_(boxes.begin(), boxes.end()),
+          tree_(detail::build_box_tree(boxes)),
+          dust_(detail::build_dust_grid(boxes)) {}
 
     /// The boxes in the order in which they were given; every index below refers to it.
     std::span<const Box> boxes() const { return boxes_; }
@@ -64,6 +67,10 @@ class BoxIndex {
 
     /// For kernels that search many queries at once.
     const detail::BoxTree& tree() const { return tree_; }
+    /// Many boxes that are small and evenly spread, or nothing.
+    const detail::DustGrid& dust() const { return dust_; }
+    /// All boxes that are not in dust().
+    const detail::BoxTree& beside_dust() const { return dust_.empty() ? tree_ : dust_.others; }
 
   private:
     detail::BoxSearch begin(const Box& query) const;
@@ -84,6 +91,7 @@ class BoxIndex {
 
     std::vector<Box> boxes_;
     detail::BoxTree tree_;
+    detail::DustGrid dust_;
 };
 
 }  // namespace asv::geometry

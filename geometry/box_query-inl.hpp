@@ -97,8 +97,11 @@ template <class D>
 HWY_INLINE std::uint32_t to_bits(D d, hn::Mask<D> mask) {
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, mask, bytes);
-    const std::uint32_t bits = bytes[0];
-    return hn::Lanes(d) <= 8 ? bits : bits | static_cast<std::uint32_t>(bytes[1]) << 8;
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; 8 * i < hn::Lanes(d); ++i) {
+        bits |= static_cast<std::uint32_t>(bytes[i]) << 8 * i;
+    }
+    return bits;
 }
 
 /// Bit l: something in lane l may have what the query asks for.

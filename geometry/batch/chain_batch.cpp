@@ -48,7 +48,7 @@ HWY_INLINE detail::LaneVerdict judge(const ChainLimits& limits, const BoxIndex& 
         verdict.certified &= ~hit;
         alive &= ~meeting(scratch, box, hit, first, count);
     };
-    LinkSearch<Source::moving, decltype(on_hit)>(scratch, boxes.tree(), alive, on_hit).search();
+    LinkSearch<Source::moving, decltype(on_hit)>(scratch, boxes, alive, on_hit).search();
     verdict.valid = alive;
     return verdict;
 }
@@ -100,7 +100,7 @@ ChainBatch::ChainBatch(std::size_t links, const ChainLimits& limits, const BoxIn
     const double size = 1 + largest + static_cast<double>(links) * limits.link;
     scratch_.slack = static_cast<float>(0x1p-19 * largest);
     scratch_.rounding = 0x1p-44 * size * size;
-    const auto& tree = boxes.tree();
+    const auto& tree = boxes.beside_dust();
     if (tree.order.size() > detail::few_boxes) return;
     for (std::size_t i = 0; i < tree.order.size(); ++i) {
         scratch_.few.push_back(detail::grown(tree.boxes[i], scratch_.slack));

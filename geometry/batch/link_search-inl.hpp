@@ -14,6 +14,7 @@
 #include "asv/geometry/batch/pack.hpp"
 #include "asv/geometry/batch/swept_link.hpp"
 #include "asv/geometry/box_query-inl.hpp"
+#include "asv/geometry/dust_search-inl.hpp"
 #include "asv/geometry/joint_search-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -134,11 +135,21 @@ inline bool close_together(const SweptLink& link, const BoxQuery& joint, LaneMas
 template <bool moving, class OnHit>
 class LinkSearch {
   public:
-    HWY_INLINE LinkSearch(const detail::ChainScratch& scratch, const BoxTree& tree, LaneMask& alive,
-                          OnHit& on_hit)
-        : scratch_(scratch), tree_(tree), alive_(alive), on_hit_(on_hit) {}
+    HWY_INLINE LinkSearch(const detail::ChainScratch& scratch, const BoxIndex& boxes,
+                          LaneMask& alive, OnHit& on_hit)
+        : scratch_(scratch),
+          dust_(boxes.dust()),
+          tree_(boxes.beside_dust()),
+          alive_(alive),
+          on_hit_(on_hit) {}
 
     HWY_INLINE void search() {
+        search_tree();
+        if (!dust_.empty() && alive_ != 0) search_dust();
+    }
+
+  private:
+    HWY_INLINE void search_tree() {
         if (tree_.order.size() <= detail::few_boxes) {
             search_few();
             return;
@@ -151,7 +162,6 @@ class LinkSearch {
         }
     }
 
-  private:
     HWY_INLINE void search_few() {
         const std::size_t links = scratch_.links.size();
         const bool worth_culling = scratch_.few.size() > lanes;
@@ -198,7 +208,25 @@ class LinkSearch {
             });
     }
 
+    HWY_INLINE void search_dust() {
+        const auto done = [&](std::uint32_t number) { return (alive_ >> number % lanes & 1) == 0; };
+        const auto visit = [&](const Box& box, std::uint32_t number) HWY_ATTR {
+            const std::size_t link = number / lanes, lane = number % lanes;
+            const BoxQuery reached = lane_query(scratch_.links[link], lane, moving, scratch_.slack);
+            if (query::reaches(box, reached)) on_hit_(box, 1U << lane, link, std::size_t{1});
+        };
+        query::DustSearch<decltype(done), decltype(visit)> search(dust_, done, visit);
+        for (std::uint32_t number = 0; number < scratch_.links.size() * lanes; ++number) {
+            if (done(number)) continue;
+            search.add(
+                lane_query(scratch_.links[number / lanes], number % lanes, moving, scratch_.slack),
+                number);
+        }
+        search.finish();
+    }
+
     const detail::ChainScratch& scratch_;
+    const geometry::detail::DustGrid& dust_;
     const BoxTree& tree_;
     LaneMask& alive_;
     OnHit& on_hit_;

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "asv/geometry/box_tree.hpp"
+#include "asv/geometry/primitives.hpp"
+
+/// The data behind BoxIndex where boxes are many and small; use that class instead.
+
+namespace asv::geometry::detail {
+
+/// The centres of up to 31 boxes in one line of cache, in steps of a 255th of the cell from its low
+/// corner, rounded to the nearest. Lanes without a box hold zeros, the last lane of each row holds
+/// a byte of the number of the line with the cell's further boxes, 0 if there are none.
+struct alignas(64) DustLine {
+    static constexpr std::uint32_t width = 32;
+    static constexpr std::uint32_t most_boxes = width - 1;
+    static constexpr double steps = 255;
+    std::array<std::uint8_t, width> x, y;
+
+    std::uint32_t further() const {
+        return x[most_boxes] | static_cast<std::uint32_t>(y[most_boxes]) << 8;
+    }
+    void set_further(std::size_t line) {
+        x[most_boxes] = static_cast<std::uint8_t>(line & 255);
+        y[most_boxes] = static_cast<std::uint8_t>(line >> 8);
+    }
+};
+
+/// A box that lies in one line of cache.
+struct alignas(32) WholeBox : Box {};
+
+/// Boxes much smaller than the distances between them, in the cells of a grid: two bytes for each
+/// are all that a search looks at of those that are not near, and the cells along a segment are
+/// known without looking at anything. Empty (no lines) where the boxes are not like that.
+struct DustGrid {
+    Point low{};                    ///< the lower left corner of cell 0
+    double cell = 0;                ///< side
+    double half_x = 0, half_y = 0;  ///< no box reaches farther from its centre
+    std::uint32_t columns = 0, rows = 0;
+    std::vector<DustLine> lines;  ///< of the cells row by row; then line k of those further ones is
+                                  ///< columns * rows + k - 1
+    std::vector<std::uint32_t> first;  ///< for each line the number of its first box, and the end
+    std::vector<WholeBox> boxes;       ///< in the order of the cells
+    BoxTree others;                    ///< the boxes that are too large for the grid
+
+    bool empty() const { return lines.empty(); }
+};
+
+/// Time O(m). Preconditions: as for build_box_tree.
+DustGrid build_dust_grid(std::span<const Box> boxes);
+
+}  // namespace asv::geometry::detail
