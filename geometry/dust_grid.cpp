@@ -17,9 +17,8 @@ constexpr double boxes_per_cell = 20;
 /// No half side of a box in the grid is longer, in cells.
 constexpr double longest_half_side = 1.0 / 16;
 
-/// How many further lines there may be, as a share of the cells and altogether.
-constexpr double most_further_share = 1.0 / 16;
-constexpr std::size_t most_further = (1 << 16) - 1;
+/// How many further lines there may be for each cell.
+constexpr double most_further = 1.0 / 16;
 
 Point centre(const Box& box) {
     return {box.low.x / 2 + box.high.x / 2, box.low.y / 2 + box.high.y / 2};
@@ -118,8 +117,7 @@ bool few_further_lines(const ByCell& sorted) {
         const std::size_t count = sorted.of(c).size();
         further += count == 0 ? 0 : (count - 1) / DustLine::most_boxes;
     }
-    return further <= most_further &&
-           static_cast<double>(further) <= most_further_share * static_cast<double>(cells);
+    return static_cast<double>(further) <= most_further * static_cast<double>(cells);
 }
 
 /// A line and the boxes of its cell that are still to come.
@@ -143,6 +141,7 @@ void add_line(DustGrid& grid, std::span<const Box> boxes, std::vector<Overflow>&
     }
     if (count < boxes.size()) overflow.push_back({grid.lines.size(), boxes.subspan(count)});
     grid.lines.push_back(line);
+    grid.further.push_back(0);
     grid.first.push_back(static_cast<std::uint32_t>(grid.boxes.size()));
 }
 
@@ -155,7 +154,8 @@ void add_lines(DustGrid& grid, const ByCell& sorted) {
     for (std::size_t c = 0; c < cells; ++c) add_line(grid, sorted.of(c), overflow);
     for (std::size_t i = 0; i < overflow.size(); ++i) {
         const auto [line, rest] = overflow[i];
-        grid.lines[line].set_further(i + 1);
+        grid.lines[line].set_goes_on();
+        grid.further[line] = static_cast<std::uint32_t>(grid.lines.size());
         add_line(grid, rest, overflow);
     }
 }

@@ -13,21 +13,16 @@
 namespace asv::geometry::detail {
 
 /// The centres of up to 31 boxes in one line of cache, in steps of a 255th of the cell from its low
-/// corner, rounded to the nearest. Lanes without a box hold zeros, the last lane of each row holds
-/// a byte of the number of the line with the cell's further boxes, 0 if there are none.
+/// corner, rounded to the nearest. Lanes without a box hold zeros. Where the cell goes on in a
+/// further line, the last lane holds something else.
 struct alignas(64) DustLine {
     static constexpr std::uint32_t width = 32;
     static constexpr std::uint32_t most_boxes = width - 1;
     static constexpr double steps = 255;
     std::array<std::uint8_t, width> x, y;
 
-    std::uint32_t further() const {
-        return x[most_boxes] | static_cast<std::uint32_t>(y[most_boxes]) << 8;
-    }
-    void set_further(std::size_t line) {
-        x[most_boxes] = static_cast<std::uint8_t>(line & 255);
-        y[most_boxes] = static_cast<std::uint8_t>(line >> 8);
-    }
+    bool goes_on() const { return x[most_boxes] != 0; }
+    void set_goes_on() { x[most_boxes] = 1; }
 };
 
 /// A box that lies in one line of cache.
@@ -41,11 +36,11 @@ struct DustGrid {
     double cell = 0;                ///< side
     double half_x = 0, half_y = 0;  ///< no box reaches farther from its centre
     std::uint32_t columns = 0, rows = 0;
-    std::vector<DustLine> lines;  ///< of the cells row by row; then line k of those further ones is
-                                  ///< columns * rows + k - 1
-    std::vector<std::uint32_t> first;  ///< for each line the number of its first box, and the end
-    std::vector<WholeBox> boxes;       ///< in the order of the cells
-    BoxTree others;                    ///< the boxes that are too large for the grid
+    std::vector<DustLine> lines;         ///< of the cells row by row, then the further ones
+    std::vector<std::uint32_t> further;  ///< for each line the cell's next one; 0 if there is none
+    std::vector<std::uint32_t> first;    ///< for each line its first box, and the end
+    std::vector<WholeBox> boxes;         ///< in the order of the cells
+    BoxTree others;                      ///< the boxes that are too large for the grid
 
     bool empty() const { return lines.empty(); }
 };

@@ -34,10 +34,15 @@ class DustSearch {
 
     /// Some of what this query finds may be visited later, at the latest by finish().
     HWY_INLINE void add(const BoxQuery& query, std::uint32_t number) {
-        number_ = number;
+        if (interval_count_ == most_intervals) {
+            look_at_hits();
+            interval_count_ = 0;
+        }
+        Interval& interval = intervals_[interval_count_];
+        interval.number = number;
         const double x = query.normal_x, y = query.normal_y;
-        normal_x_ = static_cast<std::int16_t>(std::clamp(x * 0x1p15, -32767.0, 32767.0));
-        normal_y_ = static_cast<std::int16_t>(std::clamp(y * 0x1p15, -32767.0, 32767.0));
+        interval.normal_x = static_cast<std::int16_t>(std::clamp(x * 0x1p15, -32767.0, 32767.0));
+        interval.normal_y = static_cast<std::int16_t>(std::clamp(y * 0x1p15, -32767.0, 32767.0));
 
         const double offset = x * grid_.low.x + y * grid_.low.y;
         const double half = std::fabs(x) * grid_.half_x + std::fabs(y) * grid_.half_y;
@@ -53,12 +58,14 @@ class DustSearch {
         } else {
             walk({y, x, begin, end, low_y, high_y, low_x, high_x, rows, columns, columns, 1});
         }
+        ++interval_count_;
     }
 
     HWY_INLINE void finish() { look_at_hits(); }
 
   private:
-    static constexpr std::uint32_t most_cells = 256, enough_hits = 64;
+    static constexpr std::uint32_t most_cells = 256, most_hits = 64;
+    static constexpr std::uint16_t most_intervals = 64;
     static constexpr double unit = 64 * DustLine::steps;  ///< how many of them a cell has
     static constexpr double margin = 1e-3;  ///< far more than rounding errors, in cells
 
@@ -70,15 +77,18 @@ class DustSearch {
         std::uint32_t count_a, count_b, stride_a, stride_b;
     };
 
-    /// A cell, and where the query's interval begins on the normal, from the cell's low corner on.
-    struct Cell {
-        std::uint32_t line;
-        std::int32_t begin;
+    /// What a query asks of a centre: to be in an interval of this length, in units, on its normal.
+    struct Interval {
+        std::int16_t normal_x, normal_y;
+        std::uint16_t length;
+        std::uint32_t number;  ///< of the query
     };
 
-    /// Boxes of a line, one to a bit, that a query may reach.
-    struct Hit {
-        std::uint32_t line, bits, number;
+    /// A line of a cell, and where the interval begins from the cell's low corner on, modulo 2^16:
+    /// that may let through what is far away, but keeps back nothing.
+    struct Cell {
+        std::uint32_t line;
+        std::uint16_t begin, interval;
     };
 
     struct Found {
@@ -95,21 +105,33 @@ class DustSearch {
 
         // A centre is off by at most half a step, 32 units, on each axis. A product is off by less
         // than one unit, and by less than half of one as the normal is rounded; what is computed
-        // here by less than a hundredth; and cutting off the fraction takes less than one.
-        const double slack = 5 + 32 * (std::fabs(band.normal_a) + std::fabs(band.normal_b));
-        // Of a cell that a wider interval crosses, everything may as well be looked at.
-        const bool wide = band.end - band.begin > 1;
+        // here by less than a hundredth; and cutting off two fractions takes less than two.
+        const double slack = 6 + 32 * (std::fabs(band.normal_a) + std::fabs(band.normal_b));
+        const double length = unit * (band.end - band.begin) + 2 * slack;
+        // Of a cell that a wide interval crosses, everything may as well be looked at.
+        const bool wide = length > 0xFFFF;
+        intervals_[interval_count_].length = wide ? 0xFFFF : static_cast<std::uint16_t>(length);
+        const double begin = wide ? 0 : unit * band.begin - slack;
         const double unit_a = wide ? 0 : unit * band.normal_a;
         const double unit_b = wide ? 0 : unit * band.normal_b;
-        const double begin = wide ? -0x1p15 : unit * band.begin - slack;
-        length_ =
-            wide ? 1 << 16 : static_cast<std::int32_t>(unit * (band.end - band.begin) + 2 * slack);
 
         const double slope = -band.normal_a / band.normal_b;
         const double side = band.begin / band.normal_b, other_side = band.end / band.normal_b;
         const double low = std::min(side, other_side) + std::min(slope, 0.0) - margin;
         const double high = std::max(side, other_side) + std::max(slope, 0.0) + margin;
         const auto last = static_cast<std::int32_t>(high_a);
+        const DustLine* const lines = grid_.lines.data();
+        std::uint32_t count = 0;
+        const auto put = [&](std::uint32_t at, std::uint32_t line, double where) HWY_ATTR {
+            hwy::Prefetch(lines + line);
+            const auto whole = static_cast<std::int32_t>(where);
+            cells_[at] = {line, static_cast<std::uint16_t>(whole), interval_count_};
+        };
+        const auto make_room = [&]() HWY_ATTR {
+            if (count < most_cells) return;
+            look_at_cells(count);
+            count = 0;
+        };
         for (auto a = static_cast<std::int32_t>(low_a); a <= last; ++a) {
             const double from = std::max(low + slope * a, low_b);
             const double to = std::min(high + slope * a, high_b);
@@ -121,68 +143,89 @@ class DustSearch {
             const double here = begin - unit_a * a - unit_b * first_b;
             // Mostly there are one or two cells: no branch for the second.
             const std::uint32_t second = static_cast<std::uint32_t>(first_b - final_b) >> 31;
-            put(0, line, here);
-            put(1, line + (band.stride_b & (0U - second)), here - unit_b);
-            cell_count_ += 1 + second;
+            put(count, line, here);
+            put(count + 1, line + (band.stride_b & (0U - second)), here - unit_b);
+            count += 1 + second;
+            make_room();
             for (std::int32_t more = 2; more <= final_b - first_b; ++more) {
-                put(0, line + static_cast<std::uint32_t>(more) * band.stride_b,
+                put(count++, line + static_cast<std::uint32_t>(more) * band.stride_b,
                     here - unit_b * more);
-                if (++cell_count_ >= most_cells - 1) look_at_cells();
-            }
-            if (cell_count_ >= most_cells - 1) look_at_cells();
-        }
-        look_at_cells();
-    }
-
-    HWY_INLINE void put(std::uint32_t ahead, std::uint32_t line, double begin) {
-        hwy::Prefetch(&grid_.lines[line]);
-        cells_[cell_count_ + ahead] = {line, static_cast<std::int32_t>(begin)};
-    }
-
-    HWY_INLINE void look_at_cells() {
-        const Shorts d;
-        const auto x = hn::Set(d, normal_x_), y = hn::Set(d, normal_y_);
-        for (std::uint32_t i = 0; i < cell_count_; ++i) {
-            auto [line, begin] = cells_[i];
-            const auto low = hn::Set(d, to_short(begin));
-            const auto high = hn::Set(d, to_short(begin + length_));
-            for (;;) {
-                const std::uint32_t bits = between(grid_.lines[line], x, y, low, high);
-                // A branch would be as good as random.
-                hits_[hit_count_] = {line, bits, number_};
-                hit_count_ += bits != 0 ? 1 : 0;
-                if (hit_count_ == enough_hits) look_at_hits();
-                const std::uint32_t further = grid_.lines[line].further();
-                if (further == 0) break;
-                line = grid_.columns * grid_.rows + further - 1;
+                make_room();
             }
         }
-        cell_count_ = 0;
+        look_at_cells(count);
     }
 
     using Shorts = hn::CappedTag<std::int16_t, DustLine::width>;
-    using ShortVec = hn::Vec<Shorts>;
+    using Unsigned = hn::RebindToUnsigned<Shorts>;
 
-    static std::int16_t to_short(std::int32_t value) {
-        return static_cast<std::int16_t>(std::clamp(value, -(1 << 15), (1 << 15) - 1));
-    }
+    /// An interval in vectors.
+    class Comparison {
+      public:
+        HWY_INLINE explicit Comparison(const Interval& interval)
+            : normal_x_(hn::Set(Shorts(), interval.normal_x)),
+              normal_y_(hn::Set(Shorts(), interval.normal_y)),
+              length_(hn::Set(Unsigned(), interval.length)) {}
 
-    /// Bit l: in lane l is a centre, if any, whose place on the normal is from low to high.
-    HWY_INLINE static std::uint32_t between(const DustLine& line, ShortVec normal_x,
-                                            ShortVec normal_y, ShortVec low, ShortVec high) {
-        const Shorts d;
-        const hn::Rebind<std::uint8_t, Shorts> bytes;
-        const auto product = [&](const auto& row, std::size_t i, ShortVec normal) HWY_ATTR {
-            const auto steps = hn::PromoteTo(d, hn::Load(bytes, row.data() + i));
-            return hn::MulFixedPoint15(hn::ShiftLeft<6>(steps), normal);
-        };
-        std::uint32_t bits = 0;
-        for (std::size_t i = 0; i < DustLine::width; i += hn::Lanes(d)) {
-            const auto at = hn::Add(product(line.x, i, normal_x), product(line.y, i, normal_y));
-            const auto outside = hn::Or(hn::Lt(at, low), hn::Gt(at, high));
-            bits |= to_bits(d, hn::Not(outside)) << i;
+        /// Is any lane in the interval, those without a centre among them?
+        HWY_INLINE bool finds_any(const DustLine& line, std::uint16_t begin) const {
+            auto any = inside(line, begin, 0);
+            for (std::size_t i = hn::Lanes(u_); i < DustLine::width; i += hn::Lanes(u_)) {
+                any = hn::Or(any, inside(line, begin, i));
+            }
+            return !hn::AllFalse(u_, any);
         }
-        return bits;
+
+        /// Which of them are, one to a bit?
+        HWY_INLINE std::uint32_t find(const DustLine& line, std::uint16_t begin) const {
+            std::uint32_t bits = 0;
+            for (std::size_t i = 0; i < DustLine::width; i += hn::Lanes(u_)) {
+                bits |= to_bits(u_, inside(line, begin, i)) << i;
+            }
+            return bits;
+        }
+
+      private:
+        HWY_INLINE hn::Mask<Unsigned> inside(const DustLine& line, std::uint16_t begin,
+                                             std::size_t i) const {
+            const auto at = hn::Add(product(line.x, i, normal_x_), product(line.y, i, normal_y_));
+            const auto from_begin = hn::Sub(hn::BitCast(u_, at), hn::Set(u_, begin));
+            return hn::Eq(hn::Min(from_begin, length_), from_begin);
+        }
+
+        template <class Row>
+        HWY_INLINE hn::Vec<Shorts> product(const Row& row, std::size_t i,
+                                           hn::Vec<Shorts> normal) const {
+            const hn::Rebind<std::uint8_t, Shorts> bytes;
+            const auto steps = hn::PromoteTo(Shorts(), hn::Load(bytes, row.data() + i));
+            return hn::MulFixedPoint15(hn::ShiftLeft<6>(steps), normal);
+        }
+
+        static constexpr Unsigned u_{};
+        hn::Vec<Shorts> normal_x_, normal_y_;
+        hn::Vec<Unsigned> length_;
+    };
+
+    HWY_INLINE void look_at_cells(std::uint32_t count) {
+        const Comparison comparison(intervals_[interval_count_]);
+        const DustLine* const lines = grid_.lines.data();
+        std::uint32_t hit_count = hit_count_;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            Cell cell = cells_[i];
+            for (;;) {
+                // A branch would be as good as random.
+                hits_[hit_count] = cell;
+                hit_count += comparison.finds_any(lines[cell.line], cell.begin) ? 1U : 0U;
+                if (hit_count == most_hits) {
+                    hit_count_ = hit_count;
+                    look_at_hits();
+                    hit_count = 0;
+                }
+                if (!lines[cell.line].goes_on()) break;
+                cell.line = grid_.further[cell.line];
+            }
+        }
+        hit_count_ = hit_count;
     }
 
     /// All of it is asked for before any of it is used, as it is seldom in a cache.
@@ -190,13 +233,15 @@ class DustSearch {
         for (std::uint32_t i = 0; i < hit_count_; ++i) hwy::Prefetch(&grid_.first[hits_[i].line]);
         std::uint32_t found_count = 0;
         for (std::uint32_t i = 0; i < hit_count_; ++i) {
-            auto [line, bits, number] = hits_[i];
-            const std::uint32_t first = grid_.first[line];
-            bits &= (1U << (grid_.first[line + 1] - first)) - 1;
+            const auto [line, begin, number] = hits_[i];
+            const Interval& interval = intervals_[number];
+            const std::uint32_t first = grid_.first[line], count = grid_.first[line + 1] - first;
+            std::uint32_t bits = Comparison(interval).find(grid_.lines[line], begin);
+            bits &= (1U << count) - 1;
             for (; bits != 0; bits &= bits - 1) {
                 const std::uint32_t box = first + static_cast<std::uint32_t>(__builtin_ctz(bits));
                 hwy::Prefetch(&grid_.boxes[box]);
-                found_[found_count++] = {box, number};
+                found_[found_count++] = {box, interval.number};
             }
         }
         for (std::uint32_t i = 0; i < found_count; ++i) {
@@ -210,13 +255,12 @@ class DustSearch {
     const double per_cell_;
     Done done_;
     Visit visit_;
-    std::uint32_t number_ = 0;
-    std::int16_t normal_x_ = 0, normal_y_ = 0;
-    std::int32_t length_ = 0;  ///< of the query's interval
-    std::uint32_t cell_count_ = 0, hit_count_ = 0;
+    std::uint16_t interval_count_ = 0;
+    std::uint32_t hit_count_ = 0;
+    std::array<Interval, most_intervals> intervals_;
     std::array<Cell, most_cells + 1> cells_;
-    std::array<Hit, enough_hits> hits_;
-    std::array<Found, enough_hits * DustLine::most_boxes> found_;
+    std::array<Cell, most_hits> hits_;
+    std::array<Found, most_hits * DustLine::most_boxes> found_;
 };
 
 }  // namespace asv::geometry::detail::HWY_NAMESPACE

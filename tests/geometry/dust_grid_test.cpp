@@ -89,8 +89,9 @@ TEST(DustGrid, HoldsEachSmallBoxInItsCellAndTheOthersInATree) {
                 EXPECT_LE(box.high.x - box.low.x, 2 * grid.half_x);
                 EXPECT_LE(box.high.y - box.low.y, 2 * grid.half_y);
             }
-            more = grid.lines[line].further() != 0;
-            if (more) line = cells + grid.lines[line].further() - 1;
+            more = grid.lines[line].goes_on();
+            EXPECT_EQ(grid.further[line] != 0, more);
+            line = grid.further[line];
         }
     }
     EXPECT_EQ(held, grid.boxes.size());
