@@ -235,6 +235,11 @@ std::uint32_t BoxIndex::advance(detail::BoxSearch& search) const {
     return HWY_DYNAMIC_DISPATCH(Advance)(tree_, search);
 }
 
+const detail::DustGrid& BoxIndex::dust() const {
+    std::call_once(dust_->made, [this] { dust_->grid = detail::build_dust_grid(boxes_); });
+    return dust_->grid;
+}
+
 double BoxIndex::distance(const Segment& segment, double cutoff) const {
     return HWY_DYNAMIC_DISPATCH(Nearest)(tree_, boxes_, segment, region(segment, 0, tree_.reach),
                                          cutoff);

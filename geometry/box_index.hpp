@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -23,9 +25,7 @@ class BoxIndex {
     /// Keeps a copy of the boxes. Empty boxes keep their number but are never found. O(m log m).
     /// Precondition: finite coordinates; fewer than 2^32 boxes.
     explicit BoxIndex(std::span<const Box> boxes)
-        : boxes_(boxes.begin(), boxes.end()),
-          tree_(detail::build_box_tree(boxes)),
-          dust_(detail::build_dust_grid(boxes)) {}
+        : boxes_(boxes.begin(), boxes.end()), tree_(detail::build_box_tree(boxes)) {}
 
     /// The boxes in the order in which they were given; every index below refers to it.
     std::span<const Box> boxes() const { return boxes_; }
@@ -67,10 +67,11 @@ class BoxIndex {
 
     /// For kernels that search many queries at once.
     const detail::BoxTree& tree() const { return tree_; }
-    /// Many boxes that are small and evenly spread, or nothing.
-    const detail::DustGrid& dust() const { return dust_; }
+    /// The boxes as far as they are many, small and evenly spread; made when first asked for, as
+    /// only those kernels need it. O(m) then.
+    const detail::DustGrid& dust() const;
     /// All boxes that are not in dust().
-    const detail::BoxTree& beside_dust() const { return dust_.empty() ? tree_ : dust_.others; }
+    const detail::BoxTree& beside_dust() const { return dust().empty() ? tree_ : dust().others; }
 
   private:
     detail::BoxSearch begin(const Box& query) const;
@@ -91,7 +92,12 @@ class BoxIndex {
 
     std::vector<Box> boxes_;
     detail::BoxTree tree_;
-    detail::DustGrid dust_;
+
+    struct Dust {
+        std::once_flag made;
+        detail::DustGrid grid;
+    };
+    std::unique_ptr<Dust> dust_ = std::make_unique<Dust>();
 };
 
 }  // namespace asv::geometry

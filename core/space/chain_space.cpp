@@ -33,9 +33,7 @@ ChainSpace::ChainSpace(const BroomWorld& world, double widest_corridor)
       widest_corridor_(widest_corridor),
       shapes_(checker_),
       cost_(world.chain),
-      next_(world.chain.dimension()) {
-    if (world.chain.asv_count() >= 3) batch_.emplace(world.chain, world.constraints, world.field);
-}
+      next_(world.chain.dimension()) {}
 
 WrappingAngles ChainSpace::wrapping() const {
     return {2, world_.chain.asv_count() < 2 ? 0U : 1U};
@@ -56,6 +54,8 @@ Steered ChainSpace::steer(std::span<const double> from, std::span<const double> 
 
 bool ChainSpace::motion_valid(std::span<const double> from, std::span<const double> to) {
     using Verdict = BatchChecker::Verdict;
+    if (!batch_ && world_.chain.asv_count() >= 3)
+        batch_.emplace(world_.chain, world_.constraints, world_.field);
     const Verdict verdict = batch_ ? batch_->motion(from, to) : Verdict::open;
     if (verdict == Verdict::open) return checker_.valid(from, to);
     ++settled_at_once_;

@@ -84,7 +84,7 @@ class ChainSpace {
     std::optional<Corridors> corridors_;
     ShapeSampler shapes_;
     MotionCost cost_;
-    std::optional<BatchChecker> batch_;  ///< of at least 3 ASVs
+    std::optional<BatchChecker> batch_;  ///< of at least 3 ASVs, when first asked
     std::uint64_t settled_at_once_ = 0;  ///< motions that the checker was not asked about
     std::vector<double> next_;
 };
