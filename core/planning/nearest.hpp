@@ -40,17 +40,15 @@ class NearestNeighbours {
     std::vector<std::size_t> within(std::span<const double> row, double radius) const;
 
   private:
-    static constexpr std::size_t lanes = 16;
-
-    template <class Visit>
-    void scan(std::span<const double> row, Visit&& visit) const;
+    template <class Bound, class Visit>
+    void scan(std::span<const double> row, Bound&& bound, Visit&& visit) const;
     std::vector<std::size_t> sorted(std::span<const double> row, float most,
                                     std::size_t count) const;
 
     std::vector<double> scales_;
-    WrappingAngles wrapping_;
+    std::vector<float> period_, inverse_period_;  ///< of each coordinate; 0 if it does not wrap
     std::size_t size_ = 0;
-    std::vector<float> blocks_;  ///< blocks of `lanes` rows, coordinate by coordinate
+    std::vector<float> blocks_;  ///< as geometry::batch::squared_distances takes them
     mutable std::vector<float> query_;
 };
 
