@@ -21,6 +21,15 @@ struct RrtStarOptions {
     std::size_t nodes = 5000;
 };
 
+/// The logarithm of the volume of the unit ball, by V(d) = 2 pi / d V(d - 2). Not by std::lgamma:
+/// it writes to a global variable, a data race between threads.
+inline double log_unit_ball(std::size_t dimension) {
+    double log_volume = dimension % 2 == 0 ? 0 : std::log(2);
+    for (std::size_t d = dimension; d >= 2; d -= 2)
+        log_volume += std::log(2 * std::numbers::pi / static_cast<double>(d));
+    return log_volume;
+}
+
 /// The least gamma with which RRT* converges to the optimum in a free space as large as the bounds
 /// (Karaman and Frazzoli, 2011, theorem 38): 2 (1 + 1/d)^(1/d) (volume / volume of the unit
 /// ball)^(1/d), lengths in the metric.
@@ -29,8 +38,8 @@ double least_gamma(Space& space) {
     const auto d = static_cast<double>(space.dimension());
     double log_volume = 0;
     for (std::size_t i = 0; i < space.dimension(); ++i) log_volume += std::log(space.extent(i));
-    const double log_ball = d / 2 * std::log(std::numbers::pi) - std::lgamma(d / 2 + 1);
-    return 2 * std::pow(1 + 1 / d, 1 / d) * std::exp((log_volume - log_ball) / d);
+    return 2 * std::pow(1 + 1 / d, 1 / d) *
+           std::exp((log_volume - log_unit_ball(space.dimension())) / d);
 }
 
 /// One search of rrt_star(): the tree, and the steps of the algorithm by their names.

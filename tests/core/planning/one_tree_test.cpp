@@ -258,5 +258,12 @@ TEST(RrtStar, LeastGammaOfTheUnitSquare) {
     EXPECT_NEAR(least_gamma(space), 2 * std::sqrt(1.5) / std::sqrt(std::numbers::pi), 1e-12);
 }
 
+TEST(RrtStar, VolumesOfTheUnitBall) {
+    constexpr double pi = std::numbers::pi;
+    const double volumes[] = {1, 2, pi, 4 * pi / 3, pi * pi / 2, 8 * pi * pi / 15};
+    for (std::size_t d = 0; d < std::size(volumes); ++d)
+        EXPECT_NEAR(log_unit_ball(d), std::log(volumes[d]), 1e-14) << d;
+}
+
 }  // namespace
 }  // namespace asv::core
