@@ -71,7 +71,7 @@ Pose Chain::make_pose() const {
 }
 
 void Chain::forward(std::span<const double> row, Pose& pose) const {
-    heading_rates(row, pose.heading);
+    headings(row, pose.heading);
     sine_cosine(pose.heading, pose.uy, pose.ux);
     positions({row[0], row[1]}, pose.ux, pose.uy, pose.x, pose.y);
 }
@@ -91,12 +91,12 @@ void Chain::positions(const Point& place, std::span<const double> ux, std::span<
     }
 }
 
-void Chain::heading_rates(std::span<const double> displacement, std::span<double> rates) const {
+void Chain::headings(std::span<const double> row, std::span<double> headings) const {
     if (asv_count_ < 2) return;
-    double rate = displacement[2];
-    for (std::size_t i = 0; i < turn_count(); ++i) rate -= heading_share_[i] * displacement[3 + i];
-    rates[0] = rate;
-    for (std::size_t i = 0; i < turn_count(); ++i) rates[i + 1] = rate += displacement[3 + i];
+    double heading = row[2];
+    for (std::size_t i = 0; i < turn_count(); ++i) heading -= heading_share_[i] * row[3 + i];
+    headings[0] = heading;
+    for (std::size_t i = 0; i < turn_count(); ++i) headings[i + 1] = heading += row[3 + i];
 }
 
 void copy_positions(const Pose& pose, std::span<Point> points) {

@@ -60,9 +60,9 @@ class Chain {
     void positions(const geometry::Point& place, std::span<const double> ux,
                    std::span<const double> uy, std::span<double> x, std::span<double> y) const;
 
-    /// The headings' rates for a displacement of the configuration; n - 1 entries.
-    /// Headings are linear in the configuration, so those of a configuration come from it likewise.
-    void heading_rates(std::span<const double> displacement, std::span<double> rates) const;
+    /// The n - 1 headings of a configuration. They are linear in it: a displacement of the
+    /// configuration gives their rates.
+    void headings(std::span<const double> row, std::span<double> headings) const;
 
     /// How much the position of the point at fraction s of broom j follows broom k: its derivative
     /// by heading k is broom_length * lever(j, s, k) * (unit normal of broom k).

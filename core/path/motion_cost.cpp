@@ -25,7 +25,7 @@ MotionCost::MotionCost(const Chain& chain)
 
 double MotionCost::operator()(std::span<const double> from, std::span<const double> to) {
     for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = to[i] - from[i];
-    chain_.heading_rates(step_, heading_rate_);
+    chain_.headings(step_, heading_rate_);
     double most = 0;
     for (const double rate : heading_rate_) most = std::max(most, std::abs(rate));
     const auto pieces = static_cast<std::size_t>(most / arc) + 1;
@@ -40,7 +40,7 @@ double MotionCost::operator()(std::span<const double> from, std::span<const doub
         // Most motions are one piece; theirs are the very poses of the ends.
         if (pieces == 1 && moment == 1) std::copy(to.begin(), to.end(), row_.begin());
         places_[moment] = {row_[0], row_[1]};
-        chain_.heading_rates(row_, {headings_.data() + moment * brooms, brooms});
+        chain_.headings(row_, {headings_.data() + moment * brooms, brooms});
     }
     sine_cosine(headings_, sines_, cosines_);
 

@@ -45,12 +45,11 @@ BatchChecker::Verdict BatchChecker::motion(std::span<const double> from,
                                            std::span<const double> to) {
     ++looks_;
     for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = to[i] - from[i];
-    // Headings are linear in the configuration, as their rates are in the displacement; each takes
-    // the place of the coordinate that it is summed up from.
-    const auto headings = [&](std::vector<double>& row) { return std::span(row).subspan(2); };
-    chain_.heading_rates(step_, headings(step_));
+    // Each heading takes the place of the coordinate that it is summed up from.
+    const auto beyond_place = [](std::vector<double>& row) { return std::span(row).subspan(2); };
+    chain_.headings(step_, beyond_place(step_));
     std::copy_n(from.begin(), 2, from_.begin());
-    chain_.heading_rates(from, headings(from_));
+    chain_.headings(from, beyond_place(from_));
     const auto [certified, midpoint_valid] = batch_.certify({from_, step_, middle_, half_length_});
     if (midpoint_valid != batch::all_lanes) return Verdict::blocked;
     return certified == batch::all_lanes ? Verdict::valid : Verdict::open;

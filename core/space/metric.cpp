@@ -17,7 +17,7 @@ Metric::Metric(const Chain& chain, std::span<const std::vector<geometry::Point>>
         for (std::size_t i = 2; i < chain.dimension(); ++i) {
             unit.assign(unit.size(), 0.0);
             unit[i] = 1;
-            chain.heading_rates(unit, rate);
+            chain.headings(unit, rate);
             for (std::size_t j = 0; j < chain.asv_count(); ++j) {
                 double vx = 0, vy = 0;
                 for (std::size_t k = 0; k < chain.broom_count(); ++k) {

@@ -109,7 +109,7 @@ void MotionChecker::begin_line(std::span<const double> from, std::span<const dou
     from_ = from;
     to_ = to;
     for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = to[i] - from[i];
-    chain_.heading_rates(step_, heading_rate_);
+    chain_.headings(step_, heading_rate_);
     const double length = chain_.broom_length();
     const std::size_t brooms = chain_.broom_count();
     // |p_j'| <= |anchor'| + L sum |lever| |rate|, |p_j''| <= L sum |lever| rate^2. Levers change by

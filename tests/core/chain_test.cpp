@@ -88,7 +88,7 @@ TEST_P(ChainOf, HeadingRatesAreThoseOfTheForwardKinematics) {
         const Row from = random_row(rng), to = random_row(rng);
         Row displacement(to), rates(chain.broom_count());
         for (std::size_t i = 0; i < to.size(); ++i) displacement[i] -= from[i];
-        chain.heading_rates(displacement, rates);
+        chain.headings(displacement, rates);
         Pose first = chain.make_pose(), last = chain.make_pose();
         chain.forward(from, first);
         chain.forward(to, last);
@@ -113,7 +113,7 @@ TEST_P(ChainOf, LeversAreDerivatives) {
         for (std::size_t i = 2; i < row.size(); ++i) {
             Row unit(row.size(), 0.0), rates(chain.broom_count()), above(row), below(row);
             unit[i] = 1;
-            chain.heading_rates(unit, rates);
+            chain.headings(unit, rates);
             double dx = 0, dy = 0;
             for (std::size_t k = 0; k < rates.size(); ++k) {
                 dx -= 0.05 * chain.lever(j, s, k) * rates[k] * pose.uy[k];

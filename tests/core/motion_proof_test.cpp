@@ -118,7 +118,7 @@ class Place {
         Row out(row.size());
         out[0] = row[0];
         out[1] = row[1];
-        world_.chain.heading_rates(row, std::span(out).subspan(2));
+        world_.chain.headings(row, std::span(out).subspan(2));
         return out;
     }
 

@@ -58,6 +58,10 @@ TEST(NearestNeighbours, AgreeWithBruteForce) {
     });
 }
 
+TEST(NearestNeighbours, AgreeWithBruteForceAmongMany) {
+    testing::for_seeds(2, [](Rng& rng) { expect_nearest(rng, 5, {2, 1}, 1500); });
+}
+
 TEST(NearestNeighbours, AgreeWithBruteForceWhereAnAngleWraps) {
     testing::for_seeds(10, [](Rng& rng) {
         for (const std::size_t dimension : {3U, 4U, 8U, 26U})
@@ -69,7 +73,7 @@ TEST(NearestNeighbours, AgreeWithBruteForceWhereAnAngleWraps) {
 /// with up to single precision.
 TEST(NearestNeighbours, ManyAndWithinAgreeWithBruteForce) {
     testing::for_seeds(50, [](Rng& rng) {
-        const std::size_t dimension = 3 + rng.below(5), size = 1 + rng.below(200);
+        const std::size_t dimension = 3 + rng.below(5), size = 1 + rng.below(1500);
         Scan scan{Row(dimension), {1, rng.below(3)}};
         for (double& scale : scan.scales) scale = rng.uniform(0.1, 1);
         NearestNeighbours index(scan.scales, scan.wrapping);
