@@ -1,4 +1,4 @@
-#include "asv/core/benchmark/machine_unit.hpp"
+#include "core/benchmark/machine_unit.hpp"
 
 #include <array>
 #include <chrono>
@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "asv/core/benchmark/summary.hpp"
-#include "asv/core/planning/rng.hpp"
-#include "asv/core/requirements.hpp"
-#include "asv/geometry/reference/scalar_chain.hpp"
+#include "core/benchmark/scalar_chain.hpp"
+#include "core/benchmark/summary.hpp"
+#include "core/model/requirements.hpp"
+#include "core/search/rng.hpp"
 
 namespace asv::core {
 
@@ -19,7 +19,6 @@ namespace {
 
 using geometry::Box;
 using geometry::Point;
-namespace reference = geometry::reference;
 
 constexpr std::size_t asvs = 7;
 constexpr std::size_t state_count = 512;
@@ -38,13 +37,13 @@ constexpr std::array<Box, 7> rooms{{{{0.28, 0}, {0.37, 0.24}},
 
 using State = std::array<double, asvs + 1>;  ///< x, y, headings of the brooms
 
-geometry::batch::ChainLimits limits_of_chain() {
+batch::ChainLimits limits_of_chain() {
     const Requirements requirements;
-    geometry::batch::ChainLimits limits;
+    batch::ChainLimits limits;
     limits.link = requirements.broom_length;
     limits.bounds = requirements.bounds;
-    limits.least_area = requirements.minimum_area(asvs);
-    limits.least_turn.assign(asvs - 2, 0.0);
+    limits.min_area = requirements.min_area(asvs);
+    limits.min_turn.assign(asvs - 2, 0.0);
     return limits;
 }
 
@@ -60,7 +59,7 @@ State random_state(Rng& rng) {
     return state;
 }
 
-std::vector<State> valid_states(const geometry::batch::ChainLimits& limits) {
+std::vector<State> valid_states(const batch::ChainLimits& limits) {
     Rng rng(7);
     std::array<Point, asvs> scratch;
     std::vector<State> states;
@@ -71,8 +70,7 @@ std::vector<State> valid_states(const geometry::batch::ChainLimits& limits) {
     return states;
 }
 
-double seconds_of_round(const std::vector<State>& states,
-                        const geometry::batch::ChainLimits& limits) {
+double seconds_of_round(const std::vector<State>& states, const batch::ChainLimits& limits) {
     std::array<Point, asvs> scratch;
     std::size_t valid = 0;
     const auto begin = std::chrono::steady_clock::now();
@@ -88,7 +86,7 @@ double seconds_of_round(const std::vector<State>& states,
 }  // namespace
 
 double seconds_per_million_checks() {
-    const geometry::batch::ChainLimits limits = limits_of_chain();
+    const batch::ChainLimits limits = limits_of_chain();
     const std::vector<State> states = valid_states(limits);
     std::vector<double> seconds;
     for (std::size_t round = 0; round < rounds; ++round)

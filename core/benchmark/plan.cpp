@@ -1,4 +1,4 @@
-#include "asv/core/benchmark/plan.hpp"
+#include "core/benchmark/plan.hpp"
 
 namespace asv::core {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "asv/core/problem.hpp"
-#include "asv/core/solve.hpp"
+#include "core/model/problem.hpp"
+#include "core/solve/solve.hpp"
 
 /// What a benchmark shall run: every problem with every planner in every direction and every seed.
 

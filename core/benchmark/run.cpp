@@ -1,4 +1,4 @@
-#include "asv/core/benchmark/run.hpp"
+#include "core/benchmark/run.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -7,7 +7,7 @@
 #include <thread>
 #include <tuple>
 
-#include "asv/core/validate.hpp"
+#include "core/validate/validate.hpp"
 
 namespace asv::core {
 

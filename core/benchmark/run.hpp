@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "asv/core/benchmark/plan.hpp"
+#include "core/benchmark/plan.hpp"
 
 /// Running a benchmark: a plan goes in, what each run found and spent comes out.
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "asv/core/benchmark/run.hpp"
+#include "core/benchmark/run.hpp"
 
 /// What many runs have in common: the figures of a table.
 

@@ -1,10 +1,10 @@
-#include "asv/core/chain/chain.hpp"
+#include "core/chain/chain.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
-#include "asv/core/chain/sine_cosine.hpp"
+#include "core/chain/sine_cosine.hpp"
 
 namespace asv::core {
 

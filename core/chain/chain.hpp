@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "asv/geometry/primitives.hpp"
+#include "geometry/primitives.hpp"
 
 namespace asv::core {
 

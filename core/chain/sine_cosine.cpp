@@ -1,4 +1,4 @@
-#include "asv/core/chain/sine_cosine.hpp"
+#include "core/chain/sine_cosine.hpp"
 
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-#include "asv/core/generate/carve.hpp"
+#include "core/generate/carve.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "asv/geometry/primitives.hpp"
+#include "geometry/primitives.hpp"
 
 namespace asv::core {
 

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <string>
 
-#include "asv/core/generate/carve.hpp"
-#include "asv/core/generate/families.hpp"
-#include "asv/core/generate/flat_chain.hpp"
-#include "asv/core/generate/option_check.hpp"
+#include "core/generate/carve.hpp"
+#include "core/generate/families.hpp"
+#include "core/generate/flat_chain.hpp"
+#include "core/generate/option_check.hpp"
 
 namespace asv::core {
 
@@ -52,7 +52,7 @@ double PassageHeight::value(std::size_t asv_count, const Requirements& requireme
         return *absolute;
     }
     require_range("height-factor", factor, 0.05, 50.0);
-    const double height = factor * least_flat_height(asv_count, requirements);
+    const double height = factor * min_flat_height(asv_count, requirements);
     require_range("height", height, 0.001, 0.5);
     return height;
 }
@@ -122,7 +122,7 @@ Problem gauntlet(const GauntletOptions& options, Rng& rng) {
     const double height = options.height.value(n, problem.requirements);
     require_range("walls", options.walls, 1u, 6u);
     require_range("thickness", options.thickness, 0.005, 0.5);
-    require_range("least-offset", options.least_offset, 0.0, 0.35);
+    require_range("least-offset", options.min_offset, 0.0, 0.35);
     const auto walls = static_cast<double>(options.walls);
     const double room = options.room.value_or(
         std::min(std::clamp(1.25 * round_diameter(n, problem.requirements), 0.2, 0.34),
@@ -134,7 +134,7 @@ Problem gauntlet(const GauntletOptions& options, Rng& rng) {
     require_fits("walls, thickness and room", between,
                  options.walls == 1 ? options.thickness : 0.02);
 
-    const auto levels = draw_levels(options.walls, 0.1, 0.9, options.least_offset, rng);
+    const auto levels = draw_levels(options.walls, 0.1, 0.9, options.min_offset, rng);
     double left = options.walls == 1 ? (1 - options.thickness) / 2 : room;
     const double start_right = left;
     for (const double level : levels) {

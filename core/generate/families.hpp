@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "asv/core/generate/random_chain.hpp"
-#include "asv/core/planning/rng.hpp"
-#include "asv/core/problem.hpp"
+#include "core/generate/random_chain.hpp"
+#include "core/model/problem.hpp"
+#include "core/search/rng.hpp"
 
 /// Families of random problems in the unit square. Every function draws from the given stream only,
 /// so the same options and the same seed give the same problem. Start and goal meet every
@@ -17,7 +17,7 @@ namespace asv::core {
 
 /// Height of a corridor or door.
 struct PassageHeight {
-    double factor = 1.3;             ///< times least_flat_height, 0.05 to 50
+    double factor = 1.3;             ///< times min_flat_height, 0.05 to 50
     std::optional<double> absolute;  ///< taken instead where given, 0.001 to 0.5
 
     /// Throws std::invalid_argument when out of range.
@@ -62,9 +62,9 @@ Problem bend(const BendOptions& options, Rng& rng);
 struct GauntletOptions {
     ChainOptions chain;
     PassageHeight height;
-    std::size_t walls = 2;      ///< 1 to 6
-    double thickness = 0.1;     ///< of each wall, 0.005 to 0.5
-    double least_offset = 0.2;  ///< between the axes of neighbouring corridors, 0 to 0.35
+    std::size_t walls = 2;    ///< 1 to 6
+    double thickness = 0.1;   ///< of each wall, 0.005 to 0.5
+    double min_offset = 0.2;  ///< between the axes of neighbouring corridors, 0 to 0.35
     /// Width of the first and last room, 0.02 to 0.48. By default 1.25 times round_diameter, at
     /// least 0.2, at most 0.34 and what leaves 0.1 between the walls.
     std::optional<double> room;
@@ -105,15 +105,15 @@ struct SpiralOptions {
 };
 Problem spiral(const SpiralOptions& options, Rng& rng);
 
-enum class Arm { east, north, west, south, random };
+enum class Branch { east, north, west, south, random };
 
 /// A crossing of two wide roads; start and goal each in an arm and in the crossing itself.
 struct CrossingOptions {
     ChainOptions chain;
     WayWidth road;         ///< width of both roads, at least 0.25 where the factor decides
     double offset = 0.05;  ///< the axes are drawn this far around the middle, 0 to 0.2
-    Arm start_arm = Arm::random;
-    Arm goal_arm = Arm::random;  ///< drawn from the other arms
+    Branch start_arm = Branch::random;
+    Branch goal_arm = Branch::random;  ///< drawn from the other arms
 };
 Problem crossing(const CrossingOptions& options, Rng& rng);
 

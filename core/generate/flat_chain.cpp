@@ -1,4 +1,4 @@
-#include "asv/core/generate/flat_chain.hpp"
+#include "core/generate/flat_chain.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -67,12 +67,12 @@ double flat_area(std::size_t brooms, double broom_length, double height) {
     return level * height + 2 * below_rise;
 }
 
-double least_flat_height(std::size_t asv_count, const Requirements& requirements) {
+double min_flat_height(std::size_t asv_count, const Requirements& requirements) {
     if (asv_count < 3)
         throw std::invalid_argument("flat chain: " + std::to_string(asv_count) +
                                     " ASVs enclose no area");
     const std::size_t brooms = asv_count - 1;
-    const double wanted = requirements.minimum_area(asv_count);
+    const double wanted = requirements.min_area(asv_count);
     double low = 0;
     double high = static_cast<double>(brooms) * requirements.broom_length / 5;
     if (flat_area(brooms, requirements.broom_length, high) < wanted)

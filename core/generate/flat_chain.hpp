@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "asv/core/requirements.hpp"
+#include "core/model/requirements.hpp"
 
 /// Two shapes that say how little room a chain needs: the flattest one, which decides whether it
 /// passes a straight corridor as a whole, and the roundest one, which turns on the spot.
@@ -31,7 +31,7 @@ double flat_area(std::size_t brooms, double broom_length, double height);
 /// flat_area equals the minimum area there. 0.02266 for 7 ASVs with the classic requirements.
 /// Precondition: asv_count >= 3 and the requirements leave such a height (the classic ones do);
 /// throws std::invalid_argument otherwise.
-double least_flat_height(std::size_t asv_count, const Requirements& requirements = {});
+double min_flat_height(std::size_t asv_count, const Requirements& requirements = {});
 
 /// The turns (asv_count - 2, all >= 0) of the chain that has flat_area in a strip of this height.
 /// Its first broom rises at flat_chain_heading() from the lower wall, clockwise chains fall off.

@@ -2,10 +2,10 @@
 #include <string>
 #include <utility>
 
-#include "asv/core/generate/carve.hpp"
-#include "asv/core/generate/families.hpp"
-#include "asv/core/generate/flat_chain.hpp"
-#include "asv/core/generate/option_check.hpp"
+#include "core/generate/carve.hpp"
+#include "core/generate/families.hpp"
+#include "core/generate/flat_chain.hpp"
+#include "core/generate/option_check.hpp"
 
 namespace asv::core {
 
@@ -53,11 +53,11 @@ CellTree draw_tree(std::size_t side, Rng& rng) {
 
 /// The corners of a square spiral from the lower left corner inwards, for the axes of a way of the
 /// given width with walls of the given thickness between its turns.
-std::vector<Point> spiral_corners(double way, double wall, std::size_t most_legs) {
+std::vector<Point> spiral_corners(double way, double wall, std::size_t max_legs) {
     const double pitch = way + wall;
     std::vector<Point> corners{{way / 2, way / 2}};
     Box free{{way / 2, way / 2}, {1 - way / 2, 1 - way / 2}};  // where the axis may still go
-    for (std::size_t leg = 0; leg < most_legs; ++leg) {
+    for (std::size_t leg = 0; leg < max_legs; ++leg) {
         Point next = corners.back();
         // The leg that is done takes one pitch off the side that it ran along.
         switch (leg % 4) {

@@ -2,11 +2,11 @@
 #include <array>
 #include <cmath>
 
-#include "asv/core/generate/carve.hpp"
-#include "asv/core/generate/families.hpp"
-#include "asv/core/generate/flat_chain.hpp"
-#include "asv/core/generate/option_check.hpp"
-#include "asv/geometry/distance.hpp"
+#include "core/generate/carve.hpp"
+#include "core/generate/families.hpp"
+#include "core/generate/flat_chain.hpp"
+#include "core/generate/option_check.hpp"
+#include "geometry/predicates/distance.hpp"
 
 namespace asv::core {
 
@@ -17,15 +17,15 @@ namespace {
 const Box unit_square{{0, 0}, {1, 1}};
 
 /// The arm of a crossing from the border to the axis of the other road, or as far as a chain needs.
-Box arm_region(Arm arm, const Box& flat_road, const Box& upright_road, double needed) {
+Box arm_region(Branch arm, const Box& flat_road, const Box& upright_road, double needed) {
     const Point middle{(upright_road.low.x + upright_road.high.x) / 2,
                        (flat_road.low.y + flat_road.high.y) / 2};
     switch (arm) {
-        case Arm::east:
+        case Branch::east:
             return {{std::min(middle.x, 1 - needed), flat_road.low.y}, flat_road.high};
-        case Arm::north:
+        case Branch::north:
             return {{upright_road.low.x, std::min(middle.y, 1 - needed)}, upright_road.high};
-        case Arm::west:
+        case Branch::west:
             return {flat_road.low, {std::max(middle.x, needed), flat_road.high.y}};
         default:
             return {upright_road.low, {upright_road.high.x, std::max(middle.y, needed)}};
@@ -80,10 +80,11 @@ Problem crossing(const CrossingOptions& options, Rng& rng) {
     const Box upright{{middle.x - width / 2, 0}, {middle.x + width / 2, 1}};
     problem.obstacles = carve(unit_square, std::array{flat, upright});
 
-    constexpr std::array arms{Arm::east, Arm::north, Arm::west, Arm::south};
-    const Arm start = options.start_arm == Arm::random ? arms[rng.below(4)] : options.start_arm;
-    Arm goal = options.goal_arm;
-    while (goal == Arm::random || (options.goal_arm == Arm::random && goal == start))
+    constexpr std::array arms{Branch::east, Branch::north, Branch::west, Branch::south};
+    const Branch start =
+        options.start_arm == Branch::random ? arms[rng.below(4)] : options.start_arm;
+    Branch goal = options.goal_arm;
+    while (goal == Branch::random || (options.goal_arm == Branch::random && goal == start))
         goal = arms[rng.below(4)];
     const double needed =
         std::min(1.0, 1.15 * round_diameter(options.chain.asv_count, problem.requirements));

@@ -1,4 +1,4 @@
-#include "asv/core/generate/random_chain.hpp"
+#include "core/generate/random_chain.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "asv/core/generate/option_check.hpp"
-#include "asv/geometry/distance.hpp"
-#include "asv/geometry/polygon.hpp"
+#include "core/generate/option_check.hpp"
+#include "geometry/predicates/distance.hpp"
+#include "geometry/predicates/polygon.hpp"
 
 namespace asv::core {
 
@@ -36,12 +36,12 @@ bool acceptable(std::span<const Point> chain, const ChainOptions& options,
     const double most = std::numbers::pi - 0.2;
     const double last = turn(chain[n - 2], chain[n - 1], chain[0]);
     const double first = turn(chain[n - 1], chain[0], chain[1]);
-    return closing >= options.least_closing && last >= options.least_turn && last <= most &&
-           first >= options.least_turn && first <= most &&
-           geometry::signed_area(chain) >= (1 + options.area_margin) * requirements.minimum_area(n);
+    return closing >= options.min_closing && last >= options.min_turn && last <= most &&
+           first >= options.min_turn && first <= most &&
+           geometry::signed_area(chain) >= (1 + options.area_margin) * requirements.min_area(n);
 }
 
-std::vector<double> draw_turns(std::size_t count, double least_turn, Rng& rng) {
+std::vector<double> draw_turns(std::size_t count, double min_turn, Rng& rng) {
     constexpr std::array concentrations{0.15, 0.4, 1.0, 3.0, 10.0, 100.0};
     const double concentration = concentrations[rng.below(concentrations.size())];
     const double total = rng.uniform(0, two_pi);
@@ -49,8 +49,8 @@ std::vector<double> draw_turns(std::size_t count, double least_turn, Rng& rng) {
     double sum = 0;
     for (double& value : turns) sum += value = rng.gamma(concentration);
     if (!(sum > 0)) return turns;
-    const double shared = std::max(0.0, total - least_turn * static_cast<double>(count));
-    for (double& value : turns) value = least_turn + shared * value / sum;
+    const double shared = std::max(0.0, total - min_turn * static_cast<double>(count));
+    for (double& value : turns) value = min_turn + shared * value / sum;
     return turns;
 }
 
@@ -118,8 +118,8 @@ void check(const ChainOptions& options) {
     require_range("asvs", options.asv_count, 3, 200);
     require_range("clearance", options.clearance, 0, 0.1);
     require_range("area-margin", options.area_margin, 0, 0.2);
-    require_range("least-turn", options.least_turn, 0, 0.01);
-    require_range("least-closing", options.least_closing, 0, 0.05);
+    require_range("least-turn", options.min_turn, 0, 0.01);
+    require_range("least-closing", options.min_closing, 0, 0.05);
 }
 
 std::vector<Point> chain_positions(std::span<const double> turns, double heading,
@@ -139,7 +139,7 @@ std::vector<double> random_turns(const ChainOptions& options, const Requirements
     // A shape is accepted once in 3 to 200 draws; the cap only guards against requirements that no
     // shape meets.
     for (int i = 0; i < 1'000'000; ++i) {
-        std::vector<double> turns = draw_turns(options.asv_count - 2, options.least_turn, rng);
+        std::vector<double> turns = draw_turns(options.asv_count - 2, options.min_turn, rng);
         const auto chain = chain_positions(turns, 0, {0, 0}, requirements.broom_length);
         if (acceptable(chain, options, requirements)) return turns;
     }

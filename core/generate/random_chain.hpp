@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "asv/core/planning/rng.hpp"
-#include "asv/core/problem.hpp"
+#include "core/model/problem.hpp"
+#include "core/search/rng.hpp"
 
 /// Random chains that meet every requirement: a shape first, then a place for it.
 
@@ -20,8 +20,8 @@ struct ChainOptions {
     Orientation orientation = Orientation::random;  ///< of the start and of the goal alike
     double clearance = 0.001;   ///< least distance of start and goal to obstacles and bounds, >= 0
     double area_margin = 0.02;  ///< how far above the minimum area, as a share of it, 0 to 0.2
-    double least_turn = 1e-4;   ///< of every vertex, so that none is straight; radians, 0 to 0.01
-    double least_closing = 0.01;  ///< length of the closing side, in workspace units, 0 to 0.05
+    double min_turn = 1e-4;     ///< of every vertex, so that none is straight; radians, 0 to 0.01
+    double min_closing = 0.01;  ///< length of the closing side, in workspace units, 0 to 0.05
 };
 
 /// No start or goal was found in the space that the other parameters leave.

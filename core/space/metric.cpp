@@ -1,4 +1,4 @@
-#include "asv/core/space/metric.hpp"
+#include "core/space/metric.hpp"
 
 #include <cmath>
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "asv/core/chain/chain.hpp"
-#include "asv/geometry/primitives.hpp"
+#include "core/chain/chain.hpp"
+#include "geometry/primitives.hpp"
 
 namespace asv::core {
 

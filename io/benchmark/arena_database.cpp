@@ -1,10 +1,10 @@
-#include "asv/io/benchmark/arena_database.hpp"
+#include "io/benchmark/arena_database.hpp"
 
 #include <cmath>
 #include <vector>
 
-#include "asv/io/benchmark/experiment.hpp"
-#include "asv/io/benchmark/sqlite.hpp"
+#include "io/benchmark/experiment.hpp"
+#include "io/benchmark/sqlite.hpp"
 
 namespace asv::io {
 

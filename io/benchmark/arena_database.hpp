@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "asv/io/benchmark/report.hpp"
+#include "io/benchmark/report.hpp"
 
 namespace asv::io {
 

@@ -1,8 +1,8 @@
-#include "asv/io/benchmark/experiment.hpp"
+#include "io/benchmark/experiment.hpp"
 
 #include <algorithm>
 
-#include "asv/core/benchmark/summary.hpp"
+#include "core/benchmark/summary.hpp"
 
 namespace asv::io {
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "asv/io/benchmark/report.hpp"
+#include "io/benchmark/report.hpp"
 
 /// A benchmark as OMPL's tools see it: experiments, which have planners, which have runs with
 /// attributes. What the text log and the database of Planner Arena have in common.

@@ -1,9 +1,9 @@
-#include "asv/io/benchmark/ompl_log.hpp"
+#include "io/benchmark/ompl_log.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "asv/io/number_text.hpp"
+#include "io/text/number_text.hpp"
 
 namespace asv::io {
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
-#include "asv/io/benchmark/experiment.hpp"
-#include "asv/io/benchmark/report.hpp"
+#include "io/benchmark/experiment.hpp"
+#include "io/benchmark/report.hpp"
 
 namespace asv::io {
 

@@ -1,4 +1,4 @@
-#include "asv/io/benchmark/report.hpp"
+#include "io/benchmark/report.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <ctime>
 
-#include "asv/io/number_text.hpp"
+#include "io/text/number_text.hpp"
 
 namespace asv::io {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "asv/core/benchmark/plan.hpp"
-#include "asv/core/benchmark/run.hpp"
+#include "core/benchmark/plan.hpp"
+#include "core/benchmark/run.hpp"
 
 namespace asv::io {
 

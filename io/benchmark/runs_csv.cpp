@@ -1,11 +1,11 @@
-#include "asv/io/benchmark/runs_csv.hpp"
+#include "io/benchmark/runs_csv.hpp"
 
 #include <cmath>
 #include <optional>
 #include <string_view>
 
-#include "asv/core/benchmark/summary.hpp"
-#include "asv/io/number_text.hpp"
+#include "core/benchmark/summary.hpp"
+#include "io/text/number_text.hpp"
 
 namespace asv::io {
 

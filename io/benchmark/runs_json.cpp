@@ -1,10 +1,10 @@
-#include "asv/io/benchmark/runs_json.hpp"
+#include "io/benchmark/runs_json.hpp"
 
 #include <optional>
 
 #include <nlohmann/json.hpp>
 
-#include "asv/core/benchmark/summary.hpp"
+#include "core/benchmark/summary.hpp"
 
 namespace asv::io {
 

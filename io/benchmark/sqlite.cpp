@@ -1,4 +1,4 @@
-#include "asv/io/benchmark/sqlite.hpp"
+#include "io/benchmark/sqlite.hpp"
 
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-#include "asv/io/benchmark/table.hpp"
+#include "io/benchmark/table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <tuple>
 #include <vector>
 
-#include "asv/core/benchmark/summary.hpp"
-#include "asv/io/benchmark/wording.hpp"
+#include "core/benchmark/summary.hpp"
+#include "io/benchmark/wording.hpp"
 
 namespace asv::io {
 

@@ -1,7 +1,7 @@
-#include "asv/io/benchmark/wording.hpp"
+#include "io/benchmark/wording.hpp"
 
-#include "asv/io/benchmark/report.hpp"
-#include "asv/io/number_text.hpp"
+#include "io/benchmark/report.hpp"
+#include "io/text/number_text.hpp"
 
 namespace asv::io {
 

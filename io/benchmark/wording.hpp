@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "asv/core/benchmark/plan.hpp"
+#include "core/benchmark/plan.hpp"
 
 /// Phrases that the table and the plot of a benchmark share.
 

@@ -1,4 +1,4 @@
-#include "asv/io/drawing/canvas.hpp"
+#include "io/drawing/canvas.hpp"
 
 #include <algorithm>
 #include <array>

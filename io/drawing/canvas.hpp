@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "asv/geometry/primitives.hpp"
-#include "asv/io/drawing/palette.hpp"
+#include "geometry/primitives.hpp"
+#include "io/drawing/palette.hpp"
 
 typedef struct _cairo cairo_t;
 

@@ -1,4 +1,4 @@
-#include "asv/io/drawing/exhibit.hpp"
+#include "io/drawing/exhibit.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "asv/core/path/path.hpp"
-#include "asv/core/problem.hpp"
-#include "asv/core/validate.hpp"
-#include "asv/io/drawing/path_profile.hpp"
-#include "asv/io/trees_file.hpp"
+#include "core/model/path.hpp"
+#include "core/model/problem.hpp"
+#include "core/validate/validate.hpp"
+#include "io/drawing/path_profile.hpp"
+#include "io/solution/trees_file.hpp"
 
 namespace asv::io {
 

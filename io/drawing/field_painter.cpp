@@ -1,4 +1,4 @@
-#include "asv/io/drawing/field_painter.hpp"
+#include "io/drawing/field_painter.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +12,11 @@ using geometry::Box;
 using geometry::Point;
 using geometry::Segment;
 
-constexpr std::size_t most_numbered_obstacles = 100;
+constexpr std::size_t max_numbered_obstacles = 100;
 constexpr double end_broom = 3;
 constexpr double end_dot = 4;
 constexpr double label_size = 15;
-constexpr double least_radius = 13;
+constexpr double min_radius = 13;
 
 /// 1, 2 or 5 times a power of ten, so that about five of them fit into the extent.
 double tick_step(double extent) {
@@ -59,7 +59,7 @@ void paint_grid(Canvas& canvas, const Page& page, const Palette& colours) {
 
 void paint_obstacle_numbers(Canvas& canvas, const Scene& scene, const Page& page,
                             const Palette& colours) {
-    if (scene.obstacles.size() > most_numbered_obstacles) return;
+    if (scene.obstacles.size() > max_numbered_obstacles) return;
     const TextStyle style{colours.ink, Page::text_size, true, Align::centre};
     for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
         const Box box = page.at(scene.obstacles[i]);
@@ -124,8 +124,8 @@ void paint_least(Canvas& canvas, const SceneLeast& least, const Page& page,
     canvas.fill_dots(walls, 4, faded(colours.least, 0.5));
     const Segment link = page.at(least.link);
     const Point middle{(link.a.x + link.b.x) / 2, (link.a.y + link.b.y) / 2};
-    canvas.stroke_circle(middle, least_radius, {colours.field, 5});
-    canvas.stroke_circle(middle, least_radius, {colours.least, 2.4});
+    canvas.stroke_circle(middle, min_radius, {colours.field, 5});
+    canvas.stroke_circle(middle, min_radius, {colours.least, 2.4});
 }
 
 Box bounds(const std::vector<Point>& points) {

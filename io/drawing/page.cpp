@@ -1,4 +1,4 @@
-#include "asv/io/drawing/page.hpp"
+#include "io/drawing/page.hpp"
 
 #include <algorithm>
 

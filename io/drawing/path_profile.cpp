@@ -1,12 +1,12 @@
-#include "asv/io/drawing/path_profile.hpp"
+#include "io/drawing/path_profile.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "asv/core/path/cost.hpp"
-#include "asv/geometry/distance.hpp"
-#include "asv/geometry/polygon.hpp"
+#include "core/model/cost.hpp"
+#include "geometry/predicates/distance.hpp"
+#include "geometry/predicates/polygon.hpp"
 
 namespace asv::io {
 
@@ -67,8 +67,8 @@ double lower_bound(const Segment& segment, const Box& box) {
 /// than reach, so that an obstacle beyond (nearest then + 2 * reach) cannot be the nearest now.
 class NearestObstacle {
   public:
-    NearestObstacle(const std::vector<Box>& obstacles, double least_reach)
-        : obstacles_(obstacles), least_reach_(least_reach) {}
+    NearestObstacle(const std::vector<Box>& obstacles, double min_reach)
+        : obstacles_(obstacles), min_reach_(min_reach) {}
 
     /// The index and the distance of the nearest. Precondition: there are obstacles.
     std::pair<std::size_t, double> operator()(const Segment& broom) {
@@ -97,7 +97,7 @@ class NearestObstacle {
         }
         anchor_ = broom;
         const double nearest = nearest_of(all_, broom).second;
-        reach_ = std::max(least_reach_, nearest / 2);
+        reach_ = std::max(min_reach_, nearest / 2);
         candidates_.clear();
         for (std::size_t i = 0; i < obstacles_.size(); ++i) {
             if (lower_bound(broom, obstacles_[i]) <= nearest + 2 * reach_) candidates_.push_back(i);
@@ -105,7 +105,7 @@ class NearestObstacle {
     }
 
     const std::vector<Box>& obstacles_;
-    double least_reach_;
+    double min_reach_;
     double reach_ = 0;
     Segment anchor_;
     std::vector<std::size_t> candidates_;
@@ -169,9 +169,9 @@ Segment shortest_link(const Segment& segment, const Box& box) {
 
 std::vector<StateMeasures> measure(const core::Problem& problem, const core::Path& path) {
     std::vector<StateMeasures> result(path.size());
-    const double least_reach = link_length(problem) / 2;
+    const double min_reach = link_length(problem) / 2;
     std::vector<NearestObstacle> nearest(broom_count(path.asv_count()),
-                                         NearestObstacle(problem.obstacles, least_reach));
+                                         NearestObstacle(problem.obstacles, min_reach));
     for (std::size_t i = 0; i < path.size(); ++i) {
         const auto state = path.state(i);
         if (problem.body_kind() == core::BodyKind::chain) measure_shape(state, result[i]);

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "asv/core/path/path.hpp"
-#include "asv/core/problem.hpp"
+#include "core/model/path.hpp"
+#include "core/model/problem.hpp"
 
 /// What the states of a path measure: the figures beside a picture and in the player.
 

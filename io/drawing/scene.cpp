@@ -1,4 +1,4 @@
-#include "asv/io/drawing/scene.hpp"
+#include "io/drawing/scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 
 BOOST_GEOMETRY_REGISTER_POINT_2D(asv::geometry::Point, double, boost::geometry::cs::cartesian, x, y)
 
-#include "asv/core/path/cost.hpp"
-#include "asv/core/space/window.hpp"
+#include "core/model/cost.hpp"
+#include "core/model/planning_window.hpp"
 
 namespace asv::io {
 
@@ -29,7 +29,7 @@ constexpr double simplification = 1.0 / 16000;
 /// apart.
 constexpr double ghost_spacing = 0.035;
 constexpr double ghost_spacing_per_asv = 0.005;
-constexpr std::size_t most_ghosts = 36;
+constexpr std::size_t max_ghosts = 36;
 
 /// A state belongs to the tight stretch when its clearance is at most so many brooms, or so many
 /// times the least. Improved paths touch every corner on their way, so that the least alone would
@@ -158,7 +158,7 @@ class Composer {
             ghost_spacing_per_asv * static_cast<double>(exhibit_.problem.asv_count());
         const double parts = std::round(each / (spacing * longer_side(scene.field)));
         const auto count =
-            static_cast<std::size_t>(std::clamp(parts, 1.0, static_cast<double>(most_ghosts + 1)));
+            static_cast<std::size_t>(std::clamp(parts, 1.0, static_cast<double>(max_ghosts + 1)));
         std::vector<std::size_t> states{0};
         for (std::size_t k = 1; k < count; ++k) {
             const double cost =

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "asv/io/drawing/exhibit.hpp"
+#include "io/drawing/exhibit.hpp"
 
 namespace asv::io {
 

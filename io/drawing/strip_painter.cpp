@@ -1,4 +1,4 @@
-#include "asv/io/drawing/strip_painter.hpp"
+#include "io/drawing/strip_painter.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <functional>
 #include <sstream>
 
-#include "asv/io/drawing/field_painter.hpp"
+#include "io/drawing/field_painter.hpp"
 
 namespace asv::io {
 

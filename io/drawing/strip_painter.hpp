@@ -1,10 +1,10 @@
 #pragma once
 
-#include "asv/io/drawing/canvas.hpp"
-#include "asv/io/drawing/exhibit.hpp"
-#include "asv/io/drawing/page.hpp"
-#include "asv/io/drawing/palette.hpp"
-#include "asv/io/drawing/scene.hpp"
+#include "io/drawing/canvas.hpp"
+#include "io/drawing/exhibit.hpp"
+#include "io/drawing/page.hpp"
+#include "io/drawing/palette.hpp"
+#include "io/drawing/scene.hpp"
 
 namespace asv::io {
 

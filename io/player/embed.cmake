@@ -28,7 +28,7 @@ function(append_literal name)
   file(APPEND ${OUTPUT}.new "const std::string_view ${name} =${literal};\n\n")
 endfunction()
 
-file(WRITE ${OUTPUT}.new "#include \"asv/io/player/assets.hpp\"\n\nnamespace asv::io::assets {\n\n")
+file(WRITE ${OUTPUT}.new "#include \"io/player/assets.hpp\"\n\nnamespace asv::io::assets {\n\n")
 append_literal(page player.html)
 append_literal(gallery gallery.html)
 append_literal(style player.css)

@@ -1,4 +1,4 @@
-#include "asv/io/player/packing.hpp"
+#include "io/player/packing.hpp"
 
 #include <algorithm>
 #include <bit>

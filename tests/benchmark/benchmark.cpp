@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "scene.hpp"
-#include "simd_target.hpp"
-#include "worlds.hpp"
 #include <benchmark/benchmark.h>
+
+#include "tests/benchmark/scene.hpp"
+#include "tests/benchmark/simd_target.hpp"
+#include "tests/benchmark/worlds.hpp"
 
 /// State checks per second (kinematics, bounds, turns, closing turns, area, collision) on valid
 /// states, so that no check ends early: the SIMD kernels beside a scalar loop, CGAL and

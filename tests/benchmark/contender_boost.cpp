@@ -1,10 +1,10 @@
-#include "scene.hpp"
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/segment.hpp>
 
-#include "asv/geometry/reference/scalar_chain.hpp"
+#include "core/benchmark/scalar_chain.hpp"
+#include "tests/benchmark/scene.hpp"
 
 namespace asv::geometry::benchmark_scene {
 
@@ -25,8 +25,9 @@ class Boost : public Contender {
     std::size_t count_valid(std::size_t count) override {
         std::size_t valid = 0;
         for (std::size_t i = 0; i < count; ++i) {
-            reference::positions(scene_.chains[i], scene_.limits.link, points_);
-            valid += reference::shape_valid(scene_.chains[i], points_, scene_.limits) && free();
+            core::reference::positions(scene_.chains[i], scene_.limits.link, points_);
+            valid +=
+                core::reference::shape_valid(scene_.chains[i], points_, scene_.limits) && free();
         }
         return valid;
     }

@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "scene.hpp"
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include "asv/geometry/reference/scalar_chain.hpp"
+#include "core/benchmark/scalar_chain.hpp"
+#include "tests/benchmark/scene.hpp"
 
 namespace asv::geometry::benchmark_scene {
 
@@ -23,8 +23,9 @@ class Cgal : public Contender {
     std::size_t count_valid(std::size_t count) override {
         std::size_t valid = 0;
         for (std::size_t i = 0; i < count; ++i) {
-            reference::positions(scene_.chains[i], scene_.limits.link, points_);
-            valid += reference::shape_valid(scene_.chains[i], points_, scene_.limits) && free();
+            core::reference::positions(scene_.chains[i], scene_.limits.link, points_);
+            valid +=
+                core::reference::shape_valid(scene_.chains[i], points_, scene_.limits) && free();
         }
         return valid;
     }

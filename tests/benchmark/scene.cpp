@@ -1,13 +1,12 @@
-#include "scene.hpp"
+#include "tests/benchmark/scene.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "worlds.hpp"
-
-#include "asv/geometry/batch/line_check.hpp"
-#include "asv/geometry/reference/scalar_chain.hpp"
+#include "core/benchmark/scalar_chain.hpp"
+#include "tests/benchmark/worlds.hpp"
+#include "tests/kit/geometry/line_check.hpp"
 
 namespace asv::geometry::benchmark_scene {
 
@@ -18,12 +17,12 @@ Scene::Scene(std::size_t given_points, std::vector<Box> given_boxes, std::size_t
       limits(benchmark_worlds::chain_limits(points)) {
     benchmark_worlds::Random random(points);
     chains = benchmark_worlds::valid_chains(points, chain_count, boxes, random);
-    chains.resize(chains.size() / batch::lanes * batch::lanes);
+    chains.resize(chains.size() / geometry::simd::lanes * geometry::simd::lanes);
     const std::size_t rows = points + 1;
-    packs.resize(chains.size() / batch::lanes * rows);
+    packs.resize(chains.size() / geometry::simd::lanes * rows);
     for (std::size_t i = 0; i < chains.size(); ++i) {
         for (std::size_t k = 0; k < rows; ++k) {
-            packs[i / batch::lanes * rows + k][i % batch::lanes] = chains[i][k];
+            packs[i / geometry::simd::lanes * rows + k][i % geometry::simd::lanes] = chains[i][k];
         }
     }
     add_lines();
@@ -31,8 +30,8 @@ Scene::Scene(std::size_t given_points, std::vector<Box> given_boxes, std::size_t
 
 void Scene::add_lines() {
     constexpr double motion = 0.1, resolution = 1e-6;
-    batch::ChainBatch batch(points - 1, limits, index);
-    batch::LineCheck check(batch);
+    core::batch::ChainBatch batch(points - 1, limits, index);
+    core::batch::LineCheck check(batch);
     for (std::size_t i = 1; i < chains.size(); ++i) {
         Line line{chains[i - 1], chains[i]};
         for (std::size_t k = 0; k < line.step.size(); ++k) line.step[k] -= line.from[k];
@@ -40,7 +39,7 @@ void Scene::add_lines() {
         for (double& change : line.step) change *= std::min(scale, 1.0);
         if (check.valid(line.from, line.step, resolution)) lines.push_back(line);
     }
-    lines.resize(lines.size() / batch::lanes * batch::lanes);
+    lines.resize(lines.size() / geometry::simd::lanes * geometry::simd::lanes);
 }
 
 double greatest_motion(const Scene::Line& line, double link) {
@@ -62,7 +61,7 @@ class Kernel : public Contender {
     std::size_t count_valid(std::size_t count) override {
         const std::size_t rows = scene_.points + 1;
         std::size_t valid = 0;
-        for (std::size_t i = 0; i < count / batch::lanes; ++i) {
+        for (std::size_t i = 0; i < count / geometry::simd::lanes; ++i) {
             const auto pack = std::span(scene_.packs).subspan(i * rows, rows);
             valid += static_cast<std::size_t>(std::popcount(batch_.valid(pack)));
         }
@@ -71,7 +70,7 @@ class Kernel : public Contender {
 
   private:
     const Scene& scene_;
-    batch::ChainBatch batch_;
+    core::batch::ChainBatch batch_;
 };
 
 class Scalar : public Contender {
@@ -81,7 +80,7 @@ class Scalar : public Contender {
     std::size_t count_valid(std::size_t count) override {
         std::size_t valid = 0;
         for (std::size_t i = 0; i < count; ++i) {
-            valid += reference::valid(scene_.chains[i], scene_.limits, scene_.boxes, points_);
+            valid += core::reference::valid(scene_.chains[i], scene_.limits, scene_.boxes, points_);
         }
         return valid;
     }
@@ -106,8 +105,8 @@ class LineKernel : public Contender {
 
   private:
     const Scene& scene_;
-    batch::ChainBatch batch_;
-    batch::LineCheck check_;
+    core::batch::ChainBatch batch_;
+    core::batch::LineCheck check_;
 };
 
 class LineScalar : public Contender {
@@ -128,7 +127,7 @@ class LineScalar : public Contender {
             for (std::size_t k = 0; k < row_.size(); ++k) {
                 row_[k] = line.from[k] + i / steps * line.step[k];
             }
-            if (!reference::valid(row_, scene_.limits, scene_.boxes, points_)) return false;
+            if (!core::reference::valid(row_, scene_.limits, scene_.boxes, points_)) return false;
         }
         return true;
     }

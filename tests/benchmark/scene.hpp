@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "asv/geometry/batch/chain_batch.hpp"
-#include "asv/geometry/box_index.hpp"
+#include "core/chain/batch/chain_batch.hpp"
+#include "geometry/boxes/box_index.hpp"
 
 namespace asv::geometry::benchmark_scene {
 
@@ -15,9 +15,9 @@ struct Scene {
     std::size_t points;
     std::vector<Box> boxes;
     BoxIndex index;
-    batch::ChainLimits limits;
+    core::batch::ChainLimits limits;
     std::vector<std::vector<double>> chains;  ///< x, y, headings
-    std::vector<batch::Pack> packs;           ///< the same, points + 1 rows for every eight chains
+    std::vector<geometry::simd::Pack> packs;  ///< the same, points + 1 rows for every eight chains
 
     struct Line {
         std::vector<double> from, step;

@@ -1,4 +1,4 @@
-#include "simd_target.hpp"
+#include "tests/benchmark/simd_target.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,11 +1,11 @@
-#include "worlds.hpp"
+#include "tests/benchmark/worlds.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "asv/geometry/box_index.hpp"
-#include "asv/geometry/reference/scalar_chain.hpp"
+#include "core/benchmark/scalar_chain.hpp"
+#include "geometry/boxes/box_index.hpp"
 
 namespace asv::geometry::benchmark_worlds {
 
@@ -49,13 +49,13 @@ std::vector<Box> grid_map(std::size_t count, Random& random) {
     return boxes;
 }
 
-batch::ChainLimits chain_limits(std::size_t points) {
-    batch::ChainLimits limits;
+core::batch::ChainLimits chain_limits(std::size_t points) {
+    core::batch::ChainLimits limits;
     limits.link = 0.05;
     const double radius = 0.007 * static_cast<double>(points - 1);
-    limits.least_area = std::numbers::pi * radius * radius;
-    limits.least_closing = 0.004;
-    limits.least_turn.assign(points - 2, 0.0);
+    limits.min_area = std::numbers::pi * radius * radius;
+    limits.min_closing = 0.004;
+    limits.min_turn.assign(points - 2, 0.0);
     return limits;
 }
 
@@ -72,14 +72,14 @@ std::vector<double> random_chain(std::size_t points, Random& random) {
 
 std::vector<std::vector<double>> valid_chains(std::size_t points, std::size_t count,
                                               const std::vector<Box>& boxes, Random& random) {
-    const batch::ChainLimits limits = chain_limits(points);
+    const core::batch::ChainLimits limits = chain_limits(points);
     const BoxIndex index(boxes);
     std::vector<std::vector<double>> chains;
     std::vector<Point> at(points);
     for (std::size_t tries = 0; tries < 2000 * count && chains.size() < count; ++tries) {
         const std::vector<double> row = random_chain(points, random);
-        reference::positions(row, limits.link, at);
-        bool valid = reference::shape_valid(row, at, limits);
+        core::reference::positions(row, limits.link, at);
+        bool valid = core::reference::shape_valid(row, at, limits);
         for (std::size_t k = 0; valid && k + 1 < points; ++k) {
             valid = !index.meets({at[k], at[k + 1]});
         }

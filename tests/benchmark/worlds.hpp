@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "asv/geometry/batch/chain_batch.hpp"
-#include "asv/geometry/primitives.hpp"
+#include "core/chain/batch/chain_batch.hpp"
+#include "geometry/primitives.hpp"
 
 /// Worlds and chains to measure in and to test on; the same seed gives the same on every platform.
 
@@ -31,7 +31,7 @@ std::vector<Box> dust(std::size_t count, Random& random);
 std::vector<Box> grid_map(std::size_t count, Random& random);
 
 /// The requirements of the assignment for chains of this many points, without tolerances.
-batch::ChainLimits chain_limits(std::size_t points);
+core::batch::ChainLimits chain_limits(std::size_t points);
 
 /// A configuration (x, y, headings) of a convex chain that is often valid: the total turn split
 /// over the joints by exponential draws, placed anywhere.

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "../io/temporary_folder.hpp"
-#include "malformed_files.hpp"
-#include "run_program.hpp"
 #include <gtest/gtest.h>
 #include <sys/mount.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "asv/io/atomic_file.hpp"
+#include "io/text/atomic_file.hpp"
+#include "tests/kit/malformed_files.hpp"
+#include "tests/kit/run_program.hpp"
+#include "tests/kit/temporary_folder.hpp"
 
 /// Every program that reads problems, on files that cannot be read, understood or written.
 

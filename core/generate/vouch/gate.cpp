@@ -1,4 +1,4 @@
-#include "asv/core/generate/vouch/gate.hpp"
+#include "core/generate/vouch/gate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -107,14 +107,14 @@ class Outline {
 
 }  // namespace
 
-std::vector<Gate> find_gates(std::span<const Box> obstacles, double most_height) {
+std::vector<Gate> find_gates(std::span<const Box> obstacles, double max_height) {
     std::vector<Gate> gates;
     for (const Box& below : obstacles) {
         for (const Box& above : obstacles) {
             const Box free{{std::max(below.low.x, above.low.x), below.high.y},
                            {std::min(below.high.x, above.high.x), above.low.y}};
             if (free.low.x >= free.high.x || free.low.y >= free.high.y ||
-                free.high.y - free.low.y > most_height)
+                free.high.y - free.low.y > max_height)
                 continue;
             if (std::none_of(obstacles.begin(), obstacles.end(),
                              [&](const Box& box) { return interiors_meet(box, free); }))

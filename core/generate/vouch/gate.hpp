@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "asv/core/problem.hpp"
+#include "core/model/problem.hpp"
 
 namespace asv::core {
 
@@ -16,7 +16,7 @@ struct Gate {
 };
 
 /// The corridors of at most the given height that no other box reaches into. O(m^3).
-std::vector<Gate> find_gates(std::span<const Box> obstacles, double most_height);
+std::vector<Gate> find_gates(std::span<const Box> obstacles, double max_height);
 
 /// How a chain bends on its way through a gate: in both rooms it lies on three sides of a
 /// rectangle, of which the corridor's axis is the lower (or, mirrored, the upper) side. All its

@@ -1,12 +1,12 @@
-#include "asv/core/generate/vouch/gate_passage.hpp"
+#include "core/generate/vouch/gate_passage.hpp"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
 
-#include "asv/core/generate/flat_chain.hpp"
-#include "asv/core/generate/vouch/gate.hpp"
+#include "core/generate/flat_chain.hpp"
+#include "core/generate/vouch/gate.hpp"
 
 namespace asv::core {
 
@@ -15,8 +15,8 @@ namespace {
 using Row = ProvenMotions::Row;
 using Rows = ProvenMotions::Rows;
 
-constexpr std::size_t most_obstacles = 64;
-constexpr std::uint64_t most_checks = 400'000;
+constexpr std::size_t max_obstacles = 64;
+constexpr std::uint64_t max_checks = 400'000;
 // Fine enough for the tightest corridors, coarse enough to give up soon.
 constexpr double longest_advance = 0.01;
 constexpr double shortest_advance = 2e-5;
@@ -85,7 +85,7 @@ std::optional<GatePassage> passage_with_leg(ProvenMotions& motions, const GateRa
     }
     for (std::size_t i = 0; i < reaches.size(); ++i) {
         for (std::size_t k = 0; k < reaches.size(); ++k) {
-            if (!before[i] || !after[k] || motions.checks() > most_checks) continue;
+            if (!before[i] || !after[k] || motions.checks() > max_checks) continue;
             rail.reach_before = reaches[i];
             rail.reach_after = reaches[k];
             if (auto found = passage_on_rail(motions, rail, *before[i], *after[k])) return found;
@@ -95,11 +95,11 @@ std::optional<GatePassage> passage_with_leg(ProvenMotions& motions, const GateRa
 }
 
 std::optional<GatePassage> passage(ProvenMotions& motions, const Gate& gate) {
-    const double flat = least_flat_height(motions.asv_count(), motions.problem().requirements);
+    const double flat = min_flat_height(motions.asv_count(), motions.problem().requirements);
     const double slack = (gate.height() > flat ? gate.height() - flat : gate.height()) / 4;
     for (const bool mirrored : {false, true}) {
         for (const double leg : legs) {
-            if (motions.checks() > most_checks) return std::nullopt;
+            if (motions.checks() > max_checks) return std::nullopt;
             if (auto found = passage_with_leg(motions, {gate, mirrored, 0, 0, leg, slack}))
                 return found;
         }
@@ -117,7 +117,7 @@ void GatePassage::reverse() {
 std::vector<GatePassage> gate_passages(ProvenMotions& motions) {
     std::vector<GatePassage> found;
     const auto& obstacles = motions.problem().obstacles;
-    if (obstacles.size() > most_obstacles) return found;
+    if (obstacles.size() > max_obstacles) return found;
     for (const Gate& gate : find_gates(obstacles, motions.diameter())) {
         if (auto way = passage(motions, gate)) found.push_back(std::move(*way));
     }

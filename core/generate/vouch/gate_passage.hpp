@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "asv/core/generate/vouch/proven_motions.hpp"
+#include "core/generate/vouch/proven_motions.hpp"
 
 namespace asv::core {
 

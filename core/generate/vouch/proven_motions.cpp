@@ -1,10 +1,10 @@
-#include "asv/core/generate/vouch/proven_motions.hpp"
+#include "core/generate/vouch/proven_motions.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include "asv/core/generate/flat_chain.hpp"
+#include "core/generate/flat_chain.hpp"
 
 namespace asv::core {
 
@@ -43,9 +43,9 @@ ProvenMotions::Row ProvenMotions::row(const std::vector<Point>& positions,
 }
 
 std::optional<BentChain> ProvenMotions::bent_round(const Row& row) {
-    constexpr std::size_t most_nodes = 80;
+    constexpr std::size_t max_nodes = 80;
     Row round(chain_.dimension(), two_pi / static_cast<double>(asv_count()));
-    for (const std::uint32_t node : map_.near({row[0], row[1]}, 2 * diameter_, most_nodes)) {
+    for (const std::uint32_t node : map_.near({row[0], row[1]}, 2 * diameter_, max_nodes)) {
         const Point place = map_.place(node);
         for (const double turned : {0.0, 0.5, -0.5}) {
             round[0] = place.x;

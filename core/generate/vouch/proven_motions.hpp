@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "asv/core/chain/chain.hpp"
-#include "asv/core/generate/vouch/round_map.hpp"
-#include "asv/core/problem.hpp"
-#include "asv/core/space/chain_constraints.hpp"
-#include "asv/core/space/motion.hpp"
-#include "asv/core/space/obstacle_field.hpp"
+#include "core/chain/chain.hpp"
+#include "core/generate/vouch/round_map.hpp"
+#include "core/model/problem.hpp"
+#include "core/space/proof/chain_constraints.hpp"
+#include "core/space/proof/motion_checker.hpp"
+#include "core/space/proof/obstacle_field.hpp"
 
 namespace asv::core {
 

@@ -1,9 +1,9 @@
-#include "asv/core/generate/vouch/round_map.hpp"
+#include "core/generate/vouch/round_map.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "asv/geometry/distance.hpp"
+#include "geometry/predicates/distance.hpp"
 
 namespace asv::core {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "asv/core/problem.hpp"
+#include "core/model/problem.hpp"
 
 namespace asv::core {
 

@@ -1,4 +1,4 @@
-#include "asv/core/generate/vouch/vouch.hpp"
+#include "core/generate/vouch/vouch.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "asv/core/generate/vouch/gate_passage.hpp"
-#include "asv/core/generate/vouch/proven_motions.hpp"
-#include "asv/geometry/polygon.hpp"
+#include "core/generate/vouch/gate_passage.hpp"
+#include "core/generate/vouch/proven_motions.hpp"
+#include "geometry/predicates/polygon.hpp"
 
 namespace asv::core {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "asv/core/problem.hpp"
+#include "core/model/problem.hpp"
 
 namespace asv::core {
 

@@ -1,9 +1,9 @@
-#include "asv/core/space/sampling/corridors.hpp"
+#include "core/space/sampling/corridors.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "asv/geometry/box_index.hpp"
+#include "geometry/boxes/box_index.hpp"
 
 namespace asv::core {
 

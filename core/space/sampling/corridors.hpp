@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "asv/core/planning/rng.hpp"
-#include "asv/geometry/primitives.hpp"
+#include "core/search/rng.hpp"
+#include "geometry/primitives.hpp"
 
 namespace asv::core {
 

@@ -1,4 +1,4 @@
-#include "asv/core/space/sampling/passage_points.hpp"
+#include "core/space/sampling/passage_points.hpp"
 
 #include <algorithm>
 

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "asv/core/planning/rng.hpp"
-#include "asv/core/space/obstacle_field.hpp"
-#include "asv/geometry/primitives.hpp"
+#include "core/search/rng.hpp"
+#include "core/space/proof/obstacle_field.hpp"
+#include "geometry/primitives.hpp"
 
 namespace asv::core {
 

@@ -1,4 +1,4 @@
-#include "asv/core/space/sampling/shape_sampler.hpp"
+#include "core/space/sampling/shape_sampler.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -20,11 +20,10 @@ ShapeSampler::ShapeSampler(MotionChecker& checker)
 bool ShapeSampler::valid_shape(std::span<const double> row) {
     const ChainConstraints& limits = checker_.constraints();
     for (std::size_t i = 3; i < row.size(); ++i)
-        if (row[i] > limits.maximum_turn) return false;
+        if (row[i] > limits.max_turn) return false;
     checker_.chain().forward(row, pose_);
-    return area(pose_) >= limits.minimum_area && first_turn(pose_) >= limits.minimum_first_turn &&
-           last_turn(pose_) >= limits.minimum_last_turn &&
-           closing_length(pose_) >= limits.minimum_closing;
+    return area(pose_) >= limits.min_area && first_turn(pose_) >= limits.min_first_turn &&
+           last_turn(pose_) >= limits.min_last_turn && closing_length(pose_) >= limits.min_closing;
 }
 
 bool ShapeSampler::sample_shape(Rng& rng, std::span<double> row) {

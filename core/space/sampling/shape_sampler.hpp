@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "asv/core/planning/rng.hpp"
-#include "asv/core/space/motion.hpp"
+#include "core/search/rng.hpp"
+#include "core/space/proof/motion_checker.hpp"
 
 namespace asv::core {
 

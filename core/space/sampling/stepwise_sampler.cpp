@@ -1,10 +1,10 @@
-#include "asv/core/space/sampling/stepwise_sampler.hpp"
+#include "core/space/sampling/stepwise_sampler.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "asv/core/space/sampling/passage_points.hpp"
+#include "core/space/sampling/passage_points.hpp"
 
 namespace asv::core {
 
@@ -29,7 +29,7 @@ bool StepwiseSampler::sample(Rng& rng, From from, std::optional<Point> place, bo
     positions_[0] = *place;
     // Built from its last ASV on, a chain that turns left turns right.
     const double sign = from == From::first_asv ? 1 : -1;
-    const double sharpest = any_turn ? checker.constraints().maximum_turn : sharpest_turn_;
+    const double sharpest = any_turn ? checker.constraints().max_turn : sharpest_turn_;
     if (!grow(rng, sign, sharpest)) return false;
     if (from == From::last_asv) std::reverse(positions_.begin(), positions_.end());
     checker.chain().configuration(positions_, row);

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "asv/core/planning/rng.hpp"
-#include "asv/core/space/motion.hpp"
-#include "asv/geometry/primitives.hpp"
+#include "core/search/rng.hpp"
+#include "core/space/proof/motion_checker.hpp"
+#include "geometry/primitives.hpp"
 
 namespace asv::core {
 

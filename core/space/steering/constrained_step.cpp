@@ -1,4 +1,4 @@
-#include "asv/core/space/steering/constrained_step.hpp"
+#include "core/space/steering/constrained_step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ constexpr double turn_margin = 1e-4;
 /// ever.
 constexpr double fastest_share = 3;
 /// Corrections for what the constraints bend; each brings the error from h to h^2.
-constexpr int most_corrections = 2;
+constexpr int max_corrections = 2;
 
 }  // namespace
 
@@ -46,7 +46,7 @@ void ConstrainedStep::linearise(std::span<const double> row, double step_length,
         else if (near.kind == Kind::first_turn || near.kind == Kind::last_turn)
             kept = strictness * turn_margin * chain_.broom_length();
         else if (near.kind == Kind::area)
-            kept = strictness * area_margin * constraints_.minimum_area;
+            kept = strictness * area_margin * constraints_.min_area;
         heed(near, kept, step_length);
     }
 }
@@ -96,7 +96,7 @@ void ConstrainedStep::pull(std::size_t asv, double dx, double dy, double stiffne
 std::span<const double> ConstrainedStep::solve(std::span<const double> wish) {
     auto step = program_.solve(wish);
     take(step);
-    for (int i = 0; i < most_corrections && correct(step); ++i) {
+    for (int i = 0; i < max_corrections && correct(step); ++i) {
         step = program_.solve_again();
         take(step);
     }
@@ -106,7 +106,7 @@ std::span<const double> ConstrainedStep::solve(std::span<const double> wish) {
 /// next_ = row_ + step, with turns that the solver left a little below straight put right.
 void ConstrainedStep::take(std::span<const double> step) {
     for (std::size_t i = 0; i < next_.size(); ++i) next_[i] = row_[i] + step[i] / metric_.scale(i);
-    const auto& least = constraints_.minimum_turn;
+    const auto& least = constraints_.min_turn;
     for (std::size_t i = 0; i < least.size(); ++i) next_[3 + i] = std::max(next_[3 + i], least[i]);
 }
 

@@ -4,12 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "asv/core/chain/chain.hpp"
-#include "asv/core/space/chain_constraints.hpp"
-#include "asv/core/space/metric.hpp"
-#include "asv/core/space/obstacle_field.hpp"
-#include "asv/core/space/steering/dual_active_set.hpp"
-#include "asv/core/space/steering/near_constraints.hpp"
+#include "core/chain/chain.hpp"
+#include "core/space/metric.hpp"
+#include "core/space/proof/chain_constraints.hpp"
+#include "core/space/proof/obstacle_field.hpp"
+#include "core/space/steering/dual_active_set.hpp"
+#include "core/space/steering/near_constraints.hpp"
 
 namespace asv::core {
 

@@ -1,4 +1,4 @@
-#include "asv/core/space/steering/dual_active_set.hpp"
+#include "core/space/steering/dual_active_set.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +74,7 @@ std::span<const double> DualActiveSet::solve(std::span<const double> wish) {
 
 std::span<const double> DualActiveSet::solve_again() {
     solve_active();
-    while (const auto pulling = most_pulling()) {
+    while (const auto pulling = strongest_pulling_row()) {
         multipliers_[active_[*pulling]] = 0;
         deactivate(*pulling);
         solve_active();
@@ -86,7 +86,7 @@ std::span<const double> DualActiveSet::solve_again() {
 }
 
 /// Which active row pulls most where it may only push, if one does.
-std::optional<std::size_t> DualActiveSet::most_pulling() const {
+std::optional<std::size_t> DualActiveSet::strongest_pulling_row() const {
     std::optional<std::size_t> found;
     double least = 0;
     for (std::size_t i = 0; i < active_.size(); ++i) {
@@ -100,9 +100,9 @@ std::optional<std::size_t> DualActiveSet::most_pulling() const {
 /// Makes the row active that lacks most, until none lacks anything.
 std::span<const double> DualActiveSet::add_violated() {
     const double met = accuracy * std::sqrt(std::max(vector_of(wish_).squaredNorm(), 1e-12));
-    const std::size_t most_steps = 4 * (dimension_ + active_.size()) + 8;
+    const std::size_t max_steps = 4 * (dimension_ + active_.size()) + 8;
     bool consistent = true;
-    for (std::size_t step = 0; consistent && step < most_steps; ++step) {
+    for (std::size_t step = 0; consistent && step < max_steps; ++step) {
         find_missing();
         std::size_t worst = size();
         double most = met;

@@ -47,7 +47,7 @@ class DualActiveSet {
 
   private:
     double gram(std::size_t a, std::size_t b) const;
-    std::optional<std::size_t> most_pulling() const;
+    std::optional<std::size_t> strongest_pulling_row() const;
     std::span<const double> add_violated();
     void find_missing();
     double prepare_direction(std::size_t row);

@@ -1,4 +1,4 @@
-#include "asv/core/space/steering/near_constraints.hpp"
+#include "core/space/steering/near_constraints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ double NearConstraints::gap(const NearConstraint& near, std::span<const double> 
     const std::size_t k = near.index;
     switch (near.kind) {
         case Kind::turn:
-            return row[3 + k] - constraints_.minimum_turn[k];
+            return row[3 + k] - constraints_.min_turn[k];
         case Kind::point: {
             const std::size_t asv = near.fraction > 0 ? k + 1 : k;
             return near.nx * pose.x[asv] + near.ny * pose.y[asv] - near.offset;
@@ -37,13 +37,13 @@ double NearConstraints::gap(const NearConstraint& near, std::span<const double> 
             return near.offset *
                    (pose.ux[k] * (near.ny - pose.y[k]) - pose.uy[k] * (near.nx - pose.x[k]));
         case Kind::first_turn:
-            return first_turn(pose) - constraints_.minimum_first_turn;
+            return first_turn(pose) - constraints_.min_first_turn;
         case Kind::last_turn:
-            return last_turn(pose) - constraints_.minimum_last_turn;
+            return last_turn(pose) - constraints_.min_last_turn;
         case Kind::area:
-            return area(pose) - constraints_.minimum_area;
+            return area(pose) - constraints_.min_area;
         case Kind::closing:
-            return closing_length(pose) - constraints_.minimum_closing;
+            return closing_length(pose) - constraints_.min_closing;
     }
     return 0;
 }

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "asv/core/chain/chain.hpp"
-#include "asv/core/space/chain_constraints.hpp"
-#include "asv/core/space/obstacle_field.hpp"
+#include "core/chain/chain.hpp"
+#include "core/space/proof/chain_constraints.hpp"
+#include "core/space/proof/obstacle_field.hpp"
 
 namespace asv::core {
 

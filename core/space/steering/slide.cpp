@@ -1,4 +1,4 @@
-#include "asv/core/space/steering/slide.hpp"
+#include "core/space/steering/slide.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ Steered SlideSteering::slide(std::span<const double> from, std::span<const doubl
     Pace pace{options_.step, options_.margin};
     bool free_ahead = true;
     Steered outcome = Steered::trapped;
-    for (std::size_t i = 0; i < options_.most_steps; ++i) {
+    for (std::size_t i = 0; i < options_.max_steps; ++i) {
         double distance = metric_.distance(row_, target);
         // A constrained step may end on the target itself, from where there is no direction.
         if (distance == 0 && outcome == Steered::advanced) return Steered::reached;
@@ -67,7 +67,7 @@ Steered SlideSteering::pull(std::span<const double> from, std::size_t asv,
     std::fill(wish_.begin(), wish_.end(), 0.0);
     const Chain& chain = checker_.chain();
     Pose pose = chain.make_pose();
-    for (std::size_t i = 0; i < options_.most_steps; ++i) {
+    for (std::size_t i = 0; i < options_.max_steps; ++i) {
         chain.forward(row_, pose);
         const double dx = target.x - pose.x[asv], dy = target.y - pose.y[asv];
         const double distance = std::hypot(dx, dy);

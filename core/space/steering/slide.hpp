@@ -5,23 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "asv/core/planning/result.hpp"
-#include "asv/core/space/metric.hpp"
-#include "asv/core/space/motion.hpp"
-#include "asv/core/space/steering/constrained_step.hpp"
-#include "asv/geometry/primitives.hpp"
+#include "core/search/search_result.hpp"
+#include "core/space/metric.hpp"
+#include "core/space/proof/motion_checker.hpp"
+#include "core/space/steering/constrained_step.hpp"
+#include "core/space/steering/slide_options.hpp"
+#include "geometry/primitives.hpp"
 
 namespace asv::core {
-
-/// Settings of the steering that follows the requirements instead of stopping at them.
-struct SlideOptions {
-    bool slide = true;       ///< off: straight motions only, stopped by what they meet
-    double step = 0.03;      ///< longest constrained step, root mean square motion of the ASVs
-    double margin = 0.002;   ///< gap kept to obstacles where there is room
-    double hair = 5e-6;      ///< least gap, where the place is so tight that the margin closes it
-    double progress = 0.05;  ///< share of its step by which a step has to come nearer
-    std::size_t most_steps = 200;  ///< of one call
-};
 
 /// Slide and pull: motions that give way to whatever stands against them. Every state is kept,
 /// since a straight line between the ends of a slide would cut corners.

@@ -1,4 +1,4 @@
-#include "asv/core/benchmark/run.hpp"
+#include "core/benchmark/run.hpp"
 
 #include <algorithm>
 #include <set>
@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "asv/core/benchmark/machine_unit.hpp"
-#include "asv/core/validate.hpp"
-#include "asv/io/problem_file.hpp"
+#include "core/benchmark/machine_unit.hpp"
+#include "core/validate/validate.hpp"
+#include "io/problem/problem_file.hpp"
 
 namespace asv::core {
 namespace {

@@ -1,4 +1,4 @@
-#include "asv/core/benchmark/summary.hpp"
+#include "core/benchmark/summary.hpp"
 
 #include <array>
 #include <cmath>

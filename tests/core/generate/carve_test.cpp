@@ -1,11 +1,11 @@
-#include "asv/core/generate/carve.hpp"
+#include "core/generate/carve.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "asv/core/planning/rng.hpp"
+#include "core/search/rng.hpp"
 
 namespace asv::core {
 namespace {

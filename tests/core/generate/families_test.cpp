@@ -1,4 +1,4 @@
-#include "asv/core/generate/families.hpp"
+#include "core/generate/families.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,10 @@
 
 #include <gtest/gtest.h>
 
-#include "asv/core/generate/flat_chain.hpp"
-#include "asv/core/validate.hpp"
-#include "asv/geometry/distance.hpp"
-#include "asv/geometry/polygon.hpp"
+#include "core/generate/flat_chain.hpp"
+#include "core/validate/validate.hpp"
+#include "geometry/predicates/distance.hpp"
+#include "geometry/predicates/polygon.hpp"
 
 namespace asv::core {
 namespace {
@@ -186,8 +186,8 @@ TEST(RandomTurns, AreValidForEveryNumberOfAsvs) {
             const auto chain = chain_positions(turns, 1, {3, 4}, requirements.broom_length);
             EXPECT_EQ(geometry::convex_orientation(chain), 1) << n;
             EXPECT_GE(geometry::signed_area(chain),
-                      (1 + options.area_margin) * requirements.minimum_area(n) * (1 - 1e-9));
-            EXPECT_GE(*std::min_element(turns.begin(), turns.end()), options.least_turn);
+                      (1 + options.area_margin) * requirements.min_area(n) * (1 - 1e-9));
+            EXPECT_GE(*std::min_element(turns.begin(), turns.end()), options.min_turn);
         }
     }
 }

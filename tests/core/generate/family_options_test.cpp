@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "asv/core/generate/families.hpp"
-#include "asv/core/generate/flat_chain.hpp"
+#include "core/generate/families.hpp"
+#include "core/generate/flat_chain.hpp"
 
 namespace asv::core {
 namespace {
@@ -25,7 +25,7 @@ TEST(Corridor, HasTheHeightLengthAndLevelAskedFor) {
     const Problem problem = corridor(options, rng);
     ASSERT_EQ(problem.obstacles.size(), 2u);
     const Box &below = problem.obstacles[0], &above = problem.obstacles[1];
-    EXPECT_NEAR(above.low.y - below.high.y, 1.1 * least_flat_height(7), 3e-9);
+    EXPECT_NEAR(above.low.y - below.high.y, 1.1 * min_flat_height(7), 3e-9);
     EXPECT_NEAR((above.low.y + below.high.y) / 2, 0.4, 3e-9);
     EXPECT_NEAR(below.high.x - below.low.x, 0.31, 3e-9);
     EXPECT_EQ(below.low.y, 0);
@@ -48,7 +48,7 @@ TEST(Gauntlet, NeighbouringCorridorsAreFarApart) {
     GauntletOptions options;
     options.chain.asv_count = 5;
     options.walls = 4;
-    options.least_offset = 0.3;
+    options.min_offset = 0.3;
     Rng rng(3);
     const Problem problem = gauntlet(options, rng);
     ASSERT_EQ(problem.obstacles.size(), 8u);
@@ -137,9 +137,9 @@ TEST(Options, OutOfRangeAreNamed) {
     expect_named<CorridorOptions>(corridor, "clearance", [](auto& o) { o.chain.clearance = -1; });
     expect_named<CorridorOptions>(corridor, "area-margin",
                                   [](auto& o) { o.chain.area_margin = 1; });
-    expect_named<CorridorOptions>(corridor, "least-turn", [](auto& o) { o.chain.least_turn = 1; });
+    expect_named<CorridorOptions>(corridor, "least-turn", [](auto& o) { o.chain.min_turn = 1; });
     expect_named<CorridorOptions>(corridor, "least-closing",
-                                  [](auto& o) { o.chain.least_closing = 1; });
+                                  [](auto& o) { o.chain.min_closing = 1; });
     expect_named<CorridorOptions>(corridor, "height-factor",
                                   [&](auto& o) { o.height.factor = nan; });
     expect_named<CorridorOptions>(corridor, "height", [](auto& o) { o.height.absolute = 0; });
@@ -153,7 +153,7 @@ TEST(Options, OutOfRangeAreNamed) {
         o.walls = 6;
         o.thickness = 0.3;
     });
-    expect_named<GauntletOptions>(gauntlet, "least-offset", [](auto& o) { o.least_offset = 1; });
+    expect_named<GauntletOptions>(gauntlet, "least-offset", [](auto& o) { o.min_offset = 1; });
     expect_named<RoomsOptions>(rooms, "rooms", [](auto& o) { o.rooms = 1; });
     expect_named<RoomsOptions>(rooms, "doors", [](auto& o) { o.doors = 9; });
     expect_named<RoomsOptions>(rooms, "thickness", [](auto& o) { o.thickness = 0; });

@@ -1,4 +1,4 @@
-#include "asv/core/generate/vouch/vouch.hpp"
+#include "core/generate/vouch/vouch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "asv/core/chain/chain.hpp"
-#include "asv/core/generate/families.hpp"
-#include "asv/core/validate.hpp"
+#include "core/chain/chain.hpp"
+#include "core/generate/families.hpp"
+#include "core/validate/validate.hpp"
 
 namespace asv::core {
 namespace {

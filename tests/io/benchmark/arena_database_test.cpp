@@ -1,17 +1,17 @@
-#include "asv/io/benchmark/arena_database.hpp"
+#include "io/benchmark/arena_database.hpp"
 
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "../temporary_folder.hpp"
-#include "sample_report.hpp"
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
-#include "asv/io/atomic_file.hpp"
-#include "asv/io/benchmark/sqlite.hpp"
+#include "io/benchmark/sqlite.hpp"
+#include "io/text/atomic_file.hpp"
+#include "tests/kit/sample_report.hpp"
+#include "tests/kit/temporary_folder.hpp"
 
 namespace asv::io {
 namespace {

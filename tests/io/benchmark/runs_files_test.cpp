@@ -2,13 +2,13 @@
 #include <sstream>
 #include <string>
 
-#include "sample_report.hpp"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "asv/io/benchmark/ompl_log.hpp"
-#include "asv/io/benchmark/runs_csv.hpp"
-#include "asv/io/benchmark/runs_json.hpp"
+#include "io/benchmark/ompl_log.hpp"
+#include "io/benchmark/runs_csv.hpp"
+#include "io/benchmark/runs_json.hpp"
+#include "tests/kit/sample_report.hpp"
 
 namespace asv::io {
 namespace {

@@ -1,9 +1,9 @@
-#include "asv/io/benchmark/table.hpp"
+#include "io/benchmark/table.hpp"
 
-#include "sample_report.hpp"
 #include <gtest/gtest.h>
 
-#include "asv/io/benchmark/report.hpp"
+#include "io/benchmark/report.hpp"
+#include "tests/kit/sample_report.hpp"
 
 namespace asv::io {
 namespace {

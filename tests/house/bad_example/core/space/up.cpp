@@ -1,7 +1,6 @@
-// #include "asv/io/problem_file.hpp"
+// #include "io/problem/problem_file.hpp"
 #include <fstream>
-#include "asv/io/problem_file.hpp"
-#include "asv/geometry/primitives.hpp"
-#include "broom_world.hpp"
-#include "asv/tests/oracle.hpp"
+#include "io/problem/problem_file.hpp"
+#include "core/shorten/improve.hpp"
+#include "chain_world.hpp"
 #include <CGAL/Gmpq.h>

@@ -1,0 +1,42 @@
+#include "core/bounds/asv_plane.hpp"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "core/bounds/seams.hpp"
+#include "core/model/planning_window.hpp"
+#include "geometry/predicates/segment_box.hpp"
+
+namespace asv::core {
+
+namespace {
+
+bool body_meets(std::span<const Point> state, const Box& box) {
+    if (state.size() == 1) return geometry::contains(box, state[0]);
+    for (std::size_t i = 0; i + 1 < state.size(); ++i) {
+        if (geometry::meets({state[i], state[i + 1]}, box)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+geometry::FreePlane make_asv_plane(const Problem& given, Reading reading) {
+    const Problem problem = bounded(given);
+    const Requirements& requirements = problem.requirements;
+    const double e = requirements.tolerance;
+    const double jump = reading == Reading::literal ? requirements.max_step + e : e;
+    const double shrink = e + jump / 2;
+    ShrunkObstacles obstacles = shrink_obstacles(problem, shrink);
+    const bool collides = problem.asv_count() > 1 || problem.body_kind() == BodyKind::point;
+    if (!collides) return {{}, obstacles.bounds};
+    for (const Seam& seam : find_seams(problem, shrink)) {
+        if (reading == Reading::literal && !is_impassable(seam, problem)) continue;
+        if (body_meets(problem.start, seam.gap) || body_meets(problem.goal, seam.gap)) continue;
+        obstacles.boxes.push_back(seam.gap);
+    }
+    return {obstacles.boxes, obstacles.bounds};
+}
+
+}  // namespace asv::core

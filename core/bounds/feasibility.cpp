@@ -1,0 +1,95 @@
+#include "core/bounds/feasibility.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/bounds/asv_plane.hpp"
+#include "geometry/predicates/polygon.hpp"
+
+namespace asv::core {
+
+namespace {
+
+double longest_chain(const Problem& problem) {
+    const Requirements& r = problem.requirements;
+    return static_cast<double>(problem.asv_count() - 1) * (r.broom_length + r.tolerance);
+}
+
+double min_area(const Problem& problem) {
+    return problem.requirements.min_area(problem.asv_count()) - problem.requirements.tolerance;
+}
+
+bool lacks_area(const Problem& problem) {
+    // A curve of a given length encloses most together with its chord when it is half a circle.
+    const double length = longest_chain(problem);
+    const double largest = problem.asv_count() < 3 ? 0 : length * length / (2 * std::numbers::pi);
+    return largest < min_area(problem);
+}
+
+bool has_opposite_orientation(const Problem& problem) {
+    const double start = geometry::signed_area(problem.start);
+    const double goal = geometry::signed_area(problem.goal);
+    if (start * goal >= 0) return false;
+    // While the ASVs move straight by at most a step h, the area changes by at most h times half
+    // the sum of the polygon's diagonals from each vertex to the next but one, hence by at most h
+    // times its perimeter, which is below twice the chain's length. Less than that cannot lead from
+    // the least area on one side to that on the other.
+    const Requirements& r = problem.requirements;
+    const double change = (r.max_step + r.tolerance) * 2 * longest_chain(problem);
+    const double least = min_area(problem);
+    return change < 2 * least && std::abs(start) >= least && std::abs(goal) >= least;
+}
+
+/// The first ASV whose start and goal are free but not connected.
+std::optional<std::size_t> find_separated(const Problem& problem, Reading reading) {
+    geometry::FreePlane space = make_asv_plane(problem, reading);
+    for (std::size_t i = 0; i < problem.asv_count(); ++i) {
+        const Point& start = problem.start[i];
+        const Point& goal = problem.goal[i];
+        if (space.is_free(start) && space.is_free(goal) && !space.connected(start, goal)) return i;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Feasibility check_area(const Problem& problem) {
+    if (problem.body_kind() != BodyKind::chain || !lacks_area(problem)) return {};
+    return {Infeasibility::no_area, std::nullopt,
+            "a chain of " + std::to_string(problem.asv_count()) +
+                " ASVs cannot enclose the area that is required"};
+}
+
+Feasibility check_orientation(const Problem& problem) {
+    if (problem.body_kind() != BodyKind::chain || !has_opposite_orientation(problem)) return {};
+    const bool left = geometry::signed_area(problem.start) > 0;
+    return {Infeasibility::opposite_orientation, std::nullopt,
+            std::string("the chain turns ") + (left ? "left" : "right") + " at the start and " +
+                (left ? "right" : "left") +
+                " at the goal; in between it would have to enclose no area"};
+}
+
+Feasibility check_separation(const Problem& problem) {
+    if (problem.body_kind() == BodyKind::arm) return {};
+    // What is closed in the literal reading is closed in the intended one as well.
+    const auto separated = find_separated(problem, Reading::intended);
+    if (!separated) return {};
+    const auto proven = find_separated(problem, Reading::literal);
+    const std::string who = problem.body_kind() == BodyKind::point
+                                ? "the point"
+                                : "ASV " + std::to_string(proven.value_or(*separated) + 1);
+    const std::string separate = "obstacles separate the start of " + who + " from its goal";
+    if (proven) return {Infeasibility::separated, proven, separate};
+    return {Infeasibility::separated_as_intended, separated,
+            separate + ", unless it slips through where only the tolerance leaves a way"};
+}
+
+Feasibility check_feasibility(const Problem& problem) {
+    for (const auto& check : {check_area, check_orientation, check_separation}) {
+        Feasibility found = check(problem);
+        if (found.cause != Infeasibility::none) return found;
+    }
+    return {};
+}
+
+}  // namespace asv::core

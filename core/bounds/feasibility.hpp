@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "core/model/problem.hpp"
+
+namespace asv::core {
+
+/// Why a problem has no solution.
+enum class Infeasibility {
+    none,  ///< nothing found: most often there is a solution
+    /// The chain cannot enclose the area that is required, whatever its shape.
+    no_area,
+    /// Start and goal turn in opposite directions: on the way the area would have to be zero.
+    opposite_orientation,
+    /// An ASV's start and goal are in different components of the free space.
+    separated,
+    /// Likewise, by Reading::intended. There is no path for a chain that moves continuously and
+    /// does not squeeze between obstacles that touch; the validator might accept one that does or
+    /// that jumps over a thin obstacle.
+    separated_as_intended
+};
+
+struct Feasibility {
+    Infeasibility cause = Infeasibility::none;
+    std::optional<std::size_t> asv;  ///< 0-based, where one ASV is the reason
+    std::string reason;              ///< one sentence with 1-based numbers; empty when none
+
+    /// Is it proven that the validator accepts no path, not even one that jumps or squeezes?
+    bool proven_infeasible() const {
+        return cause != Infeasibility::none && cause != Infeasibility::separated_as_intended;
+    }
+};
+
+/// Can a chain of so many ASVs enclose the area that is required at all? Start and goal may be
+/// invalid.
+Feasibility check_area(const Problem& problem);
+
+/// Do start and goal turn in one direction? Precondition: both are valid states.
+Feasibility check_orientation(const Problem& problem);
+
+/// Are start and goal of every ASV, or of the point, in one component of the free space? Nothing is
+/// found for an arm. Takes up to a second among very many obstacles. Precondition: both are valid
+/// states.
+Feasibility check_separation(const Problem& problem);
+
+/// Looks for a proof that the problem has no solution, the cheapest first. Every cause is proven as
+/// its description says, whatever primitive steps a path is made of.
+/// Precondition: start and goal are valid states, except that two ASVs never are, for want of area.
+Feasibility check_feasibility(const Problem& problem);
+
+}  // namespace asv::core

@@ -1,0 +1,177 @@
+#include "core/bounds/seams.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+
+namespace asv::core {
+
+namespace {
+
+/// An obstacle, or the outside of the bounds beyond one of their sides.
+struct Wall {
+    Box whole;
+    Box shrunk;
+};
+
+/// The interval between two intervals, or the one that they share.
+struct Interval {
+    double low;
+    double high;
+};
+
+Interval between(double low_a, double high_a, double low_b, double high_b) {
+    const double low = std::max(low_a, low_b);
+    const double high = std::min(high_a, high_b);
+    return {std::min(low, high), std::max(low, high)};
+}
+
+/// How far two intervals are apart; negative where they overlap.
+double apart(double low_a, double high_a, double low_b, double high_b) {
+    return std::max(low_a, low_b) - std::min(high_a, high_b);
+}
+
+bool vanishes(const Box& box) {
+    return box.low.x >= box.high.x || box.low.y >= box.high.y;
+}
+
+/// What is missing for the numbers after a subtraction to be on the safe side of the exact ones.
+double rounding_slack(const Requirements& requirements) {
+    const Box& bounds = requirements.bounds;
+    const double largest = std::max({std::abs(bounds.low.x), std::abs(bounds.low.y),
+                                     std::abs(bounds.high.x), std::abs(bounds.high.y)});
+    return 1e-4 * requirements.tolerance + 1e-15 * largest;
+}
+
+std::vector<Wall> outside(const Box& bounds, const Box& widened) {
+    const double far = bounds.high.x - bounds.low.x + bounds.high.y - bounds.low.y;
+    std::vector<Wall> walls(4, {grown(bounds, far), grown(widened, far)});
+    walls[0].whole.high.x = bounds.low.x;
+    walls[0].shrunk.high.x = widened.low.x;
+    walls[1].whole.low.x = bounds.high.x;
+    walls[1].shrunk.low.x = widened.high.x;
+    walls[2].whole.high.y = bounds.low.y;
+    walls[2].shrunk.high.y = widened.low.y;
+    walls[3].whole.low.y = bounds.high.y;
+    walls[3].shrunk.low.y = widened.high.y;
+    return walls;
+}
+
+Box transposed(const Box& box) {
+    return {{box.low.y, box.low.x}, {box.high.y, box.high.x}};
+}
+
+/// The seam between two walls of which the first is to the left, where they are near enough.
+std::optional<Seam> vertical_seam(const Wall& left, const Wall& right, double tolerance) {
+    const double gap = right.whole.low.x - left.whole.high.x;
+    if (gap > tolerance) return std::nullopt;
+    if (apart(left.whole.low.y, left.whole.high.y, right.whole.low.y, right.whole.high.y) >
+        tolerance) {
+        return std::nullopt;
+    }
+    const Box& a = left.shrunk;
+    const Box& b = right.shrunk;
+    const Interval y = between(a.low.y, a.high.y, b.low.y, b.high.y);
+    Seam seam;
+    seam.gap = {{a.high.x, y.low}, {b.low.x, y.high}};
+    seam.width = gap + 2 * tolerance;
+    seam.depth = std::max(0.0, -apart(a.low.y, a.high.y, b.low.y, b.high.y));
+    return seam;
+}
+
+/// The left side of a shrunk wall and how high the wall is: what most pairs are refused by, side by
+/// side in memory.
+struct LeftSide {
+    double x;
+    double low, high;
+    const Wall* wall;
+};
+
+std::vector<LeftSide> from_left_to_right(const std::vector<Wall>& walls) {
+    std::vector<LeftSide> sides;
+    sides.reserve(walls.size());
+    for (const Wall& wall : walls)
+        sides.push_back({wall.shrunk.low.x, wall.whole.low.y, wall.whole.high.y, &wall});
+    std::sort(sides.begin(), sides.end(),
+              [](const LeftSide& a, const LeftSide& b) { return a.x < b.x; });
+    return sides;
+}
+
+/// Adds the seams between walls that lie side by side, not one above the other.
+void add_vertical_seams(const std::vector<Wall>& walls, const Requirements& requirements,
+                        double reach, std::vector<Seam>& seams) {
+    const std::vector<LeftSide> sides = from_left_to_right(walls);
+    // Twice the tolerance, as vertical_seam decides.
+    const double above = 2 * requirements.tolerance;
+    for (const Wall& left : walls) {
+        const double x = left.shrunk.high.x;
+        const double low = left.whole.low.y - above, high = left.whole.high.y + above;
+        auto next = std::partition_point(sides.begin(), sides.end(),
+                                         [x](const LeftSide& side) { return side.x < x; });
+        for (; next != sides.end() && next->x <= x + reach; ++next) {
+            if (next->low > high || next->high < low) continue;
+            const auto seam = vertical_seam(left, *next->wall, requirements.tolerance);
+            if (seam) seams.push_back(*seam);
+        }
+    }
+}
+
+}  // namespace
+
+ShrunkObstacles shrink_obstacles(const Problem& problem, double shrink) {
+    const double slack = rounding_slack(problem.requirements);
+    ShrunkObstacles shrunk;
+    shrunk.bounds = grown(problem.requirements.bounds, problem.requirements.tolerance + slack);
+    for (const Box& box : problem.obstacles) {
+        const Box smaller = grown(box, -(shrink + slack));
+        if (!vanishes(smaller)) shrunk.boxes.push_back(smaller);
+    }
+    return shrunk;
+}
+
+std::vector<Seam> find_seams(const Problem& problem, double shrink) {
+    const Requirements& requirements = problem.requirements;
+    const double margin = shrink + rounding_slack(requirements);
+    const Box& bounds = requirements.bounds;
+    std::vector<Wall> walls = outside(bounds, shrink_obstacles(problem, shrink).bounds);
+    for (const Box& box : problem.obstacles) {
+        const Box smaller = grown(box, -margin);
+        if (!vanishes(smaller) && overlap(smaller, bounds)) walls.push_back({box, smaller});
+    }
+    // Two sides that are the tolerance apart are each shrunk by the margin; twice the tolerance
+    // more than that leaves room for rounding, and vertical_seam decides.
+    const double reach = 2 * margin + 3 * requirements.tolerance;
+    std::vector<Seam> seams;
+    add_vertical_seams(walls, requirements, reach, seams);
+    const auto horizontal = static_cast<std::ptrdiff_t>(seams.size());
+    for (Wall& wall : walls) wall = {transposed(wall.whole), transposed(wall.shrunk)};
+    add_vertical_seams(walls, requirements, reach, seams);
+    std::for_each(seams.begin() + horizontal, seams.end(),
+                  [](Seam& seam) { seam.gap = transposed(seam.gap); });
+    return seams;
+}
+
+bool is_impassable(const Seam& seam, const Problem& problem) {
+    const Requirements& r = problem.requirements;
+    const auto n = static_cast<double>(problem.asv_count());
+    if (n < 3) return false;
+    const double margin = r.broom_length / 20;
+    const double broom = r.broom_length + r.tolerance;
+    const double inside = seam.depth / 2 - (r.max_step + r.tolerance) / 2 - margin;
+    if (inside < 0 || seam.width >= margin) return false;
+    const double steep = std::asin(std::max(0.0, seam.width) / margin);
+    const double on_one_side = std::floor(inside / broom) + 1;
+    const double count = std::min(std::floor((n - 1) / 2), on_one_side) +
+                         std::min(std::ceil((n - 1) / 2), on_one_side);
+    const double chain = (n - 1) * broom;
+    const double row = count * broom;
+    const double straight = (chain * chain - row * row * (1 - std::tan(steep))) / 4;
+    const double widened = std::min(2 * steep + n * r.tolerance, std::numbers::pi / 2);
+    const double folded = 2 * chain * chain * std::sin(widened);
+    const double required = r.min_area(problem.asv_count()) - r.tolerance;
+    return std::max(folded, straight) < required * (1 - 1e-9);
+}
+
+}  // namespace asv::core

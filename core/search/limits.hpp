@@ -1,0 +1,35 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <stop_token>
+
+#include "core/search/search_result.hpp"
+
+namespace asv::core {
+
+using Clock = std::chrono::steady_clock;
+
+/// When a search has to end without a result. Every planner polls it in one place.
+struct Limits {
+    Clock::time_point deadline = Clock::time_point::max();
+    std::size_t max_iterations = std::numeric_limits<std::size_t>::max();
+    std::size_t max_nodes = std::numeric_limits<std::size_t>::max();
+    std::stop_token stop = {};
+
+    /// Stopped from outside or out of time. Reads the clock: some 30 ns.
+    bool expired() const { return stop.stop_requested() || Clock::now() >= deadline; }
+
+    /// The reason to end now, if there is one.
+    std::optional<Outcome> reached(const Progress& progress) const {
+        if (stop.stop_requested()) return Outcome::stopped;
+        if (Clock::now() >= deadline) return Outcome::deadline;
+        if (progress.iterations >= max_iterations) return Outcome::iterations;
+        if (progress.nodes[0] + progress.nodes[1] >= max_nodes) return Outcome::nodes;
+        return std::nullopt;
+    }
+};
+
+}  // namespace asv::core

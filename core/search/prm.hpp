@@ -1,0 +1,122 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "core/search/limits.hpp"
+#include "core/search/trees/one_tree.hpp"
+#include "core/search/trees/roadmap.hpp"
+
+namespace asv::core {
+
+/// How the shortest path in a roadmap is looked for; both find paths of one cost.
+enum class RoadmapSearch { dijkstra, a_star };
+
+struct PrmOptions {
+    std::size_t samples = 1000;  ///< least number of samples before the roadmap is asked
+    /// Draws after which it is asked with fewer: where hardly a sample is to be had.
+    std::size_t draws = 200000;
+    std::size_t neighbours = 10;  ///< nearest nodes that a new one is joined to
+    double radius = 0;            ///< joins all nodes within it instead, in the metric; 0: off
+    RoadmapSearch search = RoadmapSearch::a_star;
+};
+
+/// Joins a node to those of its neighbours that it is not connected with yet, or to all of them,
+/// where the straight motion is valid.
+template <SampledSpace Space>
+void join_neighbours(Space& space, Roadmap& roadmap, std::uint32_t node, const PrmOptions& options,
+                     bool all) {
+    const auto at = roadmap.row(node);
+    // One more than asked for, as the node finds itself.
+    const auto found = options.radius > 0
+                           ? roadmap.neighbours().within(at, options.radius)
+                           : roadmap.neighbours().nearest(at, options.neighbours + 1);
+    std::vector<double> other(at.size());
+    for (const std::size_t index : found) {
+        const auto neighbour = static_cast<std::uint32_t>(index);
+        if (neighbour == node || (!all && roadmap.connected(node, neighbour))) continue;
+        std::copy(roadmap.row(neighbour).begin(), roadmap.row(neighbour).end(), other.begin());
+        unwrap(other, at, space.wrapping());
+        if (space.motion_valid(at, other)) roadmap.join(node, neighbour, space.cost(at, other));
+    }
+}
+
+/// Adds a node and joins it to its neighbours.
+template <SampledSpace Space>
+std::uint32_t connect(Space& space, Roadmap& roadmap, std::span<const double> row,
+                      const PrmOptions& options) {
+    const std::uint32_t node = roadmap.add(row);
+    join_neighbours(space, roadmap, node, options, true);
+    return node;
+}
+
+/// The rows of a shortest path between two nodes; empty when they are not connected.
+template <SampledSpace Space>
+Rows shortest_path(Space& space, const Roadmap& roadmap, std::uint32_t from, std::uint32_t to,
+                   RoadmapSearch search) {
+    std::vector<double> row(space.dimension());
+    const auto cost_lower_bound = [&](std::uint32_t node) {
+        std::copy(roadmap.row(node).begin(), roadmap.row(node).end(), row.begin());
+        unwrap(row, roadmap.row(to), space.wrapping());
+        return space.cost_lower_bound(row, roadmap.row(to));
+    };
+    const auto nodes = search == RoadmapSearch::dijkstra
+                           ? roadmap.dijkstra(from, to)
+                           : roadmap.a_star(from, to, cost_lower_bound);
+    return rows_along(roadmap.nodes(), nodes, space.wrapping());
+}
+
+/// The probabilistic roadmap (Kavraki, Svestka, Latombe and Overmars, 1996): samples joined to
+/// their neighbours, then start and goal joined in the same way, then more samples until these are
+/// connected, the ends being tried again whenever the roadmap has grown by a tenth; the path is a
+/// shortest one of the roadmap. The roadmap is kept: given one of an
+/// earlier query it is asked first, and sampled only up to the number there shall be at least.
+template <SampledSpace Space>
+SearchResult prm(Space& space, const Query& query, const PrmOptions& options, const Limits& limits,
+                 Rng& rng, Roadmap& roadmap, const Observer& observer = {}) {
+    SearchResult result;
+    std::vector<double> row(space.dimension());
+    /// Adds one sample if its draw succeeds; false when the limits are reached.
+    const auto sample = [&] {
+        const Progress progress{result.iterations, {roadmap.size(), 0}};
+        if (observer) observer(progress);
+        if (const auto reason = limits.reached(progress)) {
+            result.outcome = *reason;
+            return false;
+        }
+        ++result.iterations;
+        if (space.sample(rng, row)) connect(space, roadmap, row, options);
+        return true;
+    };
+
+    bool going = true;
+    while (going && roadmap.size() < options.samples && result.iterations < options.draws)
+        going = sample();
+    const std::uint32_t start = connect(space, roadmap, query.start, options);
+    const std::uint32_t goal = connect(space, roadmap, query.goal, options);
+    for (std::size_t tried = roadmap.size(); going && !roadmap.connected(start, goal);) {
+        going = sample();
+        if (roadmap.size() < tried + tried / 10 + 1) continue;
+        tried = roadmap.size();
+        for (const std::uint32_t end : {start, goal})
+            join_neighbours(space, roadmap, end, options, false);
+    }
+    if (roadmap.connected(start, goal)) {
+        result.outcome = Outcome::solved;
+        result.path = shortest_path(space, roadmap, start, goal, options.search);
+    }
+    for (const Roadmap::Edge& edge : roadmap.edges()) result.edges.push_back({edge.from, edge.to});
+    result.trees.push_back(roadmap.nodes());
+    return result;
+}
+
+/// The same with a roadmap of its own.
+template <SampledSpace Space>
+SearchResult prm(Space& space, const Query& query, const PrmOptions& options, const Limits& limits,
+                 Rng& rng, const Observer& observer = {}) {
+    Roadmap roadmap(space.make_index());
+    return prm(space, query, options, limits, rng, roadmap, observer);
+}
+
+}  // namespace asv::core

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/search/limits.hpp"
+#include "core/search/trees/one_tree.hpp"
+
+namespace asv::core {
+
+struct RrtOptions {
+    double step = 0.1;        ///< longest motion of one extension, in the metric
+    double goal_bias = 0.05;  ///< share of the samples that are the goal
+};
+
+/// The rapidly-exploring random tree (LaValle, 1998): a tree from the start, extended by one step
+/// from its nearest node toward a sample where that straight motion is valid, until a node within
+/// one step of the goal can be joined to it. The straight motion from start to goal comes first.
+template <SampledSpace Space>
+SearchResult rrt(Space& space, const Query& query, const RrtOptions& options, const Limits& limits,
+                 Rng& rng, const Observer& observer = {}) {
+    Tree tree(space.make_index());
+    SearchResult result;
+    std::vector<double> row(query.goal.begin(), query.goal.end());
+    const auto to_goal = [&](std::uint32_t node) {
+        std::copy(query.goal.begin(), query.goal.end(), row.begin());
+        unwrap(row, tree.row(node), space.wrapping());
+    };
+
+    std::uint32_t newest = tree.add(query.start, Tree::none);
+    to_goal(newest);
+    bool met = space.motion_valid(query.start, row);
+    while (!met) {
+        const Progress progress{result.iterations, {tree.size(), 0}};
+        if (observer) observer(progress);
+        if (const auto reason = limits.reached(progress)) {
+            result.outcome = *reason;
+            break;
+        }
+        ++result.iterations;
+        if (rng.chance(options.goal_bias))
+            std::copy(query.goal.begin(), query.goal.end(), row.begin());
+        else if (!space.sample(rng, row))
+            continue;
+        const std::uint32_t nearest = step_toward(space, tree, options.step, row);
+        if (!space.motion_valid(tree.row(nearest), row)) continue;
+        newest = tree.add(row, nearest);
+        to_goal(newest);
+        met = space.distance(tree.row(newest), row) <= options.step &&
+              space.motion_valid(tree.row(newest), row);
+    }
+    if (met) {
+        result.outcome = Outcome::solved;
+        result.path = path_to(tree, tree.add(query.goal, newest), space.wrapping());
+    }
+    result.trees.push_back(std::move(tree));
+    return result;
+}
+
+}  // namespace asv::core

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/model/path.hpp"
+#include "core/model/problem.hpp"
+#include "core/search/limits.hpp"
+#include "core/search/rng.hpp"
+#include "core/search/search_result.hpp"
+#include "core/solve/planner_catalogue.hpp"
+
+namespace asv::core {
+
+/// What a search found, and the checks that it took.
+struct Attempt {
+    SearchResult search;
+    std::uint64_t state_checks = 0, edge_checks = 0, constrained_steps = 0;
+};
+
+/// How an improvement is told when to end and whom to tell.
+struct ImprovementOrder {
+    double work = 0;           ///< microseconds of a 2.8 GHz core, counted; see work_of()
+    bool other_paths = false;  ///< may search for other paths as well
+    Limits limits;             ///< of everything
+    Limits search_limits;      ///< of the search for each other path
+    std::function<void(double)> on_better;  ///< is told the cost of each better path
+};
+
+/// The parts of solving that depend on the body: its space, its searches, its improvement, its
+/// steps. Immutable once made, shared by all threads.
+class BodySolver {
+  public:
+    virtual ~BodySolver() = default;
+
+    /// Racers are numbered from 0, which plans as the settings say; others may vary them.
+    virtual Attempt search(const Limits& limits, Rng& rng, const Observer& observer,
+                           std::size_t racer) const = 0;
+
+    /// The cost of a path of configurations; that of its steps may differ by some 0.1 %.
+    virtual double cost(const Rows& path) const = 0;
+
+    /// A path that costs no more. Adds the checks that it took to `spent`.
+    virtual Rows improve(const Rows& path, const ImprovementOrder& order, Rng& rng,
+                         Attempt& spent) const = 0;
+
+    /// The path in primitive steps, in the plane of the problem.
+    virtual Path steps(const Rows& path) const = 0;
+
+    /// Where the body is to be seen at each node of a tree: ASV 1, the tip of an arm, the point.
+    virtual std::vector<Point> places(const Tree& tree) const = 0;
+};
+
+/// The planning for the body of the problem, which has valid ends. Keeps references to both.
+std::unique_ptr<BodySolver> make_body_solver(const Problem& problem, const Planner& planner);
+
+/// The two makers behind it: for a chain of ASVs, and for an arm or a point.
+std::unique_ptr<BodySolver> make_chain_solver(const Problem& problem, const Planner& planner);
+std::unique_ptr<BodySolver> make_joint_solver(const Problem& problem, const Planner& planner);
+
+}  // namespace asv::core

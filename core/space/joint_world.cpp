@@ -1,0 +1,89 @@
+#include "core/space/joint_world.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/chain/arm_kinematics.hpp"
+#include "core/model/planning_window.hpp"
+
+namespace asv::core {
+
+namespace {
+
+std::span<const double> link_lengths(const Problem& problem) {
+    const PlanarArm* arm = problem.arm();
+    return arm ? std::span<const double>(arm->links) : std::span<const double>();
+}
+
+std::vector<JointCoordinate> coordinates_of(const Problem& problem, const Box& bounds) {
+    const PlanarArm* arm = problem.arm();
+    if (!arm)
+        return {{0, bounds.low.x, bounds.high.x, false}, {1, bounds.low.y, bounds.high.y, false}};
+    std::vector<JointCoordinate> coordinates;
+    for (std::size_t i = 0; i < arm->joints.size(); ++i) {
+        const JointRange& range = arm->joints[i];
+        coordinates.push_back({i, range.wraps ? 0 : range.low,
+                               range.wraps ? 2 * std::numbers::pi : range.high, range.wraps});
+    }
+    std::stable_partition(coordinates.begin(), coordinates.end(),
+                          [](const JointCoordinate& c) { return c.wraps; });
+    return coordinates;
+}
+
+std::vector<double> row_of(const Problem& problem, bool goal,
+                           const std::vector<JointCoordinate>& coordinates) {
+    const PlanarArm* arm = problem.arm();
+    const Point& place = (goal ? problem.goal : problem.start)[0];
+    const std::vector<double> values =
+        arm ? (goal ? arm->goal : arm->start) : std::vector<double>{place.x, place.y};
+    std::vector<double> row;
+    for (const JointCoordinate& c : coordinates) row.push_back(values[c.joint]);
+    return row;
+}
+
+}  // namespace
+
+JointWorld::JointWorld(const Problem& given)
+    : problem(bounded(given)),
+      coordinates(),
+      chain(link_lengths(problem)),
+      constraints(make_joint_constraints(problem, chain)),
+      field(constraints.boxes) {
+    coordinates = coordinates_of(problem, constraints.bounds);
+    start = row_of(problem, false, coordinates);
+    goal = row_of(problem, true, coordinates);
+}
+
+std::size_t JointWorld::wrapping_count() const {
+    return static_cast<std::size_t>(std::count_if(
+        coordinates.begin(), coordinates.end(), [](const JointCoordinate& c) { return c.wraps; }));
+}
+
+void JointWorld::chain_row(std::span<const double> row, std::span<double> out) const {
+    const PlanarArm* arm = problem.arm();
+    if (!arm) {
+        std::copy(row.begin(), row.end(), out.begin());
+        return;
+    }
+    std::vector<double> angles(row.size());
+    for (std::size_t i = 0; i < row.size(); ++i) angles[coordinates[i].joint] = row[i];
+    arm_configuration(*arm, problem.start[0], angles, out);
+}
+
+Rows JointWorld::chain_rows(const Rows& rows) const {
+    const std::size_t from = dimension(), to = chain.dimension();
+    Rows result(rows.size() / from * to);
+    for (std::size_t i = 0; i * from < rows.size(); ++i)
+        chain_row({rows.data() + i * from, from}, {result.data() + i * to, to});
+    return result;
+}
+
+bool JointWorld::within_limits(std::span<const double> row) const {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const JointCoordinate& c = coordinates[i];
+        if (!c.wraps && !(row[i] >= c.low && row[i] <= c.high)) return false;
+    }
+    return true;
+}
+
+}  // namespace asv::core

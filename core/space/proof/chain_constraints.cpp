@@ -1,0 +1,140 @@
+#include "core/space/proof/chain_constraints.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geometry/predicates/distance.hpp"
+
+namespace asv::core {
+
+using geometry::Segment;
+
+double area(const Pose& pose) {
+    double twice = 0;
+    for (std::size_t i = 2; i < pose.x.size(); ++i)
+        twice += (pose.x[i - 1] - pose.x[0]) * (pose.y[i] - pose.y[0]) -
+                 (pose.x[i] - pose.x[0]) * (pose.y[i - 1] - pose.y[0]);
+    return 0.5 * twice;
+}
+
+double last_turn(const Pose& pose) {
+    const double rx = pose.x.front() - pose.x.back(), ry = pose.y.front() - pose.y.back();
+    return pose.ux.back() * ry - pose.uy.back() * rx;
+}
+
+double first_turn(const Pose& pose) {
+    const double rx = pose.x.front() - pose.x.back(), ry = pose.y.front() - pose.y.back();
+    return rx * pose.uy.front() - ry * pose.ux.front();
+}
+
+double closing_length(const Pose& pose) {
+    return std::hypot(pose.x.front() - pose.x.back(), pose.y.front() - pose.y.back());
+}
+
+namespace {
+
+/// Distance from the chain to a box; a point where there is one ASV.
+double clearance(const Pose& pose, const Box& box) {
+    if (pose.x.size() == 1) return geometry::distance(Point{pose.x[0], pose.y[0]}, box);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k + 1 < pose.x.size(); ++k)
+        least = std::min(least,
+                         geometry::distance(
+                             Segment{{pose.x[k], pose.y[k]}, {pose.x[k + 1], pose.y[k + 1]}}, box));
+    return least;
+}
+
+/// The limit with its margin, or what the tighter of the two ends leaves of it.
+template <class Measure>
+double kept(const std::vector<Pose>& ends, const Margins& margins, double limit, double margin,
+            Measure&& measure) {
+    const double room = std::min(measure(ends[0]), measure(ends[1])) - limit;
+    return limit + std::min(margin, room - margins.slack);
+}
+
+std::vector<Pose> poses_of_ends(const Problem& problem, const Chain& chain) {
+    std::vector<double> row(chain.dimension());
+    std::vector<Pose> ends(2, chain.make_pose());
+    for (std::size_t end = 0; end < 2; ++end) {
+        chain.configuration(end == 0 ? problem.start : problem.goal, row);
+        chain.forward(row, ends[end]);
+    }
+    return ends;
+}
+
+void keep_clear(const Problem& problem, const std::vector<Pose>& ends, const Margins& margins,
+                ChainConstraints& result) {
+    const Requirements& required = problem.requirements;
+    const double e = required.tolerance;
+    for (const Box& box : problem.obstacles) {
+        const Box shrunk = geometry::grown(box, -e);
+        if (geometry::is_empty(shrunk)) continue;
+        const auto to_box = [&](const Pose& pose) { return clearance(pose, box); };
+        double margin = kept(ends, margins, 0, margins.length, to_box);
+        // An end that is inside the box by rounding is still outside the shrunk one.
+        if (margin < 0)
+            margin = kept(ends, margins, -e, e + margins.length,
+                          [&](const Pose& pose) { return clearance(pose, shrunk) - e; });
+        result.boxes.push_back(geometry::grown(box, margin));
+    }
+
+    const auto extreme = [](const std::vector<double>& values, double sign) {
+        double least = std::numeric_limits<double>::infinity();
+        for (double value : values) least = std::min(least, sign * value);
+        return least;
+    };
+    const auto side = [&](double limit, auto&& measure) {
+        return kept(ends, margins, limit, margins.length, measure);
+    };
+    const Box& b = required.bounds;
+    result.bounds.low.x = side(b.low.x, [&](auto& p) { return extreme(p.x, 1); });
+    result.bounds.low.y = side(b.low.y, [&](auto& p) { return extreme(p.y, 1); });
+    result.bounds.high.x = -side(-b.high.x, [&](auto& p) { return extreme(p.x, -1); });
+    result.bounds.high.y = -side(-b.high.y, [&](auto& p) { return extreme(p.y, -1); });
+}
+
+}  // namespace
+
+ChainConstraints make_constraints(const Problem& problem, const Chain& chain,
+                                  const Margins& margins) {
+    const std::vector<Pose> ends = poses_of_ends(problem, chain);
+    ChainConstraints result;
+    result.min_turn.assign(chain.turn_count(), 0.0);
+    result.max_turn = std::numbers::pi - 1e-6;
+    std::vector<double> row(chain.dimension());
+    for (const auto* end : {&problem.start, &problem.goal}) {
+        chain.configuration(*end, row);
+        for (std::size_t i = 0; i < chain.turn_count(); ++i)
+            result.min_turn[i] = std::min(result.min_turn[i], row[3 + i]);
+    }
+    keep_clear(problem, ends, margins, result);
+    if (chain.asv_count() < 3) return result;
+
+    const double min_area = problem.requirements.min_area(chain.asv_count());
+    const auto at_least = [&](double limit, double margin, auto&& measure) {
+        return kept(ends, margins, limit, margin, measure);
+    };
+    result.min_area = at_least(min_area, margins.relative_area * min_area, area);
+    // The closing side may be short, so that what a step's chord cuts off would show as an angle.
+    result.min_last_turn = at_least(0, margins.length, last_turn);
+    result.min_first_turn = at_least(0, margins.length, first_turn);
+    result.min_closing = at_least(0, margins.closing, closing_length);
+    return result;
+}
+
+ChainConstraints make_joint_constraints(const Problem& problem, const Chain& chain,
+                                        const Margins& margins) {
+    ChainConstraints result;
+    result.shaped = false;
+    const Box& b = problem.requirements.bounds;
+    for (const double coordinate : {b.low.x, b.low.y, b.high.x, b.high.y})
+        result.extent = std::max(result.extent, std::abs(coordinate));
+    Margins scaled = margins;
+    scaled.slack *= result.extent;
+    keep_clear(problem, poses_of_ends(problem, chain), scaled, result);
+    return result;
+}
+
+}  // namespace asv::core

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/model/problem.hpp"
+#include "core/validate/state_checks.hpp"
+#include "core/validate/validate.hpp"
+
+namespace asv::core::validation {
+
+/// The checks of validate() on a point: ends, steps, cost, bounds, collisions; along the motion,
+/// which is straight, bounds and collisions.
+/// requirements: those of the problem with the tolerance that counts.
+ValidationReport report_point(const Problem& problem, const Solution& solution,
+                              const Requirements& requirements, const ValidationOptions& options);
+
+/// Those of validate_state(): bounds, collisions.
+ValidationReport report_point_state(const Problem& problem, State state,
+                                    const Requirements& requirements,
+                                    const ValidationOptions& options);
+
+}  // namespace asv::core::validation

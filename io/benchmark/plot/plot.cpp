@@ -1,0 +1,269 @@
+#include "io/benchmark/plot/plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/benchmark/summary.hpp"
+#include "io/benchmark/plot/plot_axis.hpp"
+#include "io/benchmark/plot/plot_data.hpp"
+#include "io/benchmark/plot/plot_style.hpp"
+#include "io/benchmark/wording.hpp"
+
+namespace asv::io {
+
+namespace {
+
+using core::Direction;
+using geometry::Box;
+using geometry::Point;
+using geometry::Segment;
+
+// In points.
+constexpr double page_width = 960;
+constexpr double left = 64, times_right = 500;
+constexpr double names_left = 526, costs_left = 690, right = 924;
+constexpr double header_height = 104, panel_top = 54, panel_bottom = 58;
+constexpr double min_height = 150, row_height = 26, second_row = 16;
+constexpr double text_size = 13.5, tick_size = 11.5;
+/// An image of cairo has no more than 32767 pixels: two for each point.
+constexpr double greatest_page = 16000;
+
+/// One row for each planner; two where both directions ran.
+double height_of(const PlotPanel& panel) {
+    double height = 14;
+    for (std::size_t i = 0; i < panel.series.size(); ++i)
+        height += i > 0 && panel.series[i - 1].planner == panel.series[i].planner ? second_row
+                                                                                  : row_height;
+    return std::max(min_height, height);
+}
+
+bool both_directions(const BenchmarkReport& report) {
+    return report.plan.directions.size() > 1;
+}
+
+std::string shortened(Canvas& canvas, std::string text, const TextStyle& style, double width) {
+    if (canvas.text_width(text, style) <= width) return text;
+    while (!text.empty() && canvas.text_width(text + "\u2026", style) > width) {
+        // A letter of UTF-8 may have several bytes.
+        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U)
+            text.pop_back();
+        if (!text.empty()) text.pop_back();
+    }
+    return text + "\u2026";
+}
+
+/// Draws the panels one below the other.
+class Plotter {
+  public:
+    Plotter(const BenchmarkReport& report, Canvas& canvas, Theme theme)
+        : report_(report), canvas_(canvas), theme_(theme), colours_(palette(theme)) {}
+
+    void header() {
+        const core::BenchmarkPlan& plan = report_.plan;
+        const std::string title = plural(plan.planners.size(), "planner") + " on " +
+                                  plural(plan.problems.size(), "problem");
+        write({left, 38}, title, {colours_.ink, 20, true});
+        write({left, 62}, plan_facts(plan) + (report_.complete() ? "" : "; interrupted"),
+              {colours_.muted, text_size});
+        write({left, 82},
+              "1 u = " + short_number(1000 * report_.session.unit()) +
+                  " ms, the time of 10\u2076 scalar state checks of 7 ASVs on this machine",
+              {colours_.muted, text_size});
+        if (both_directions(report_)) direction_legend();
+    }
+
+    void panel(const PlotPanel& panel, const Axis& times, double top) {
+        const double height = height_of(panel);
+        write({left, top + 20}, panel.title, {colours_.ink, 15, true});
+        const double title_width = canvas_.text_width(panel.title, {colours_.ink, 15, true});
+        write({left + title_width + 12, top + 20}, panel.facts, {colours_.muted, text_size});
+        const double high = top + panel_top, low = high + height;
+        caption({left, high - 10}, "share of runs solved");
+        caption({costs_left, high - 10},
+                panel.relative ? "cost of the path / least possible" : "cost of the path");
+        draw_times(panel, times, {{left, high}, {times_right, low}});
+        draw_costs(panel, {{costs_left, high}, {right, low}});
+    }
+
+  private:
+    void write(const Point& at, const std::string& text, const TextStyle& style) {
+        canvas_.text(at, text, style);
+    }
+
+    void caption(const Point& at, const std::string& text) {
+        write(at, text, {colours_.muted, tick_size});
+    }
+
+    void direction_legend() {
+        const double y = 58;
+        for (const Direction direction : report_.plan.directions) {
+            const bool reversed = direction == Direction::reversed;
+            const double x = reversed ? right - 96 : right - 212;
+            const Segment line{{x, y}, {x + 30, y}};
+            canvas_.stroke_segments(std::span(&line, 1), stroke(colours_.ink, direction));
+            draw_mark(canvas_, 0, {x + 15, y}, 3.6, colours_.ink, reversed, colours_.page);
+            write({x + 38, y + 4}, std::string(core::name(direction)), {colours_.ink, text_size});
+        }
+    }
+
+    Stroke stroke(const Colour& colour, Direction direction) const {
+        if (direction == Direction::forward) return {colour, 1.8};
+        return {colour, 1.8, {5, 4}};
+    }
+
+    void frame(const Box& box) { canvas_.fill_boxes(std::span(&box, 1), colours_.field); }
+
+    void grid_line(const Point& a, const Point& b) {
+        const Segment line{a, b};
+        canvas_.stroke_segments(std::span(&line, 1), {colours_.grid, 1});
+    }
+
+    void draw_times(const PlotPanel& panel, const Axis& times, const Box& box) {
+        frame(box);
+        const Axis shares{0, 1, box.high.y, box.low.y, false};
+        for (const int percent : {0, 25, 50, 75, 100}) {
+            const double y = shares.at(percent / 100.0);
+            grid_line({box.low.x, y}, {box.high.x, y});
+            if (percent % 50 == 0)
+                write({box.low.x - 8, y + 4}, std::to_string(percent) + " %",
+                      {colours_.muted, tick_size, false, Align::right});
+        }
+        for (const Tick& tick : time_ticks(times)) {
+            grid_line({times.at(tick.value), box.low.y}, {times.at(tick.value), box.high.y});
+            write({times.at(tick.value), box.high.y + 17}, tick.label,
+                  {colours_.muted, tick_size, false, Align::centre});
+        }
+        write({(box.low.x + box.high.x) / 2, box.high.y + 35}, "time to the first path",
+              {colours_.muted, tick_size, false, Align::centre});
+        // The first planner comes last, on top of the others.
+        for (std::size_t i = panel.series.size(); i-- > 0;)
+            draw_curve(panel.series[i], times, shares, box);
+    }
+
+    void draw_curve(const PlotSeries& series, const Axis& times, const Axis& shares,
+                    const Box& box) {
+        if (series.times.empty()) return;
+        const Colour colour = planner_colour(series.planner, theme_);
+        std::vector<Point> curve;
+        double share = 0;
+        for (const double time : series.times) {
+            curve.push_back({times.at(time), shares.at(share)});
+            share += 1 / static_cast<double>(series.runs);
+            curve.push_back({times.at(time), shares.at(share)});
+        }
+        canvas_.stroke_line(curve, stroke(colour, series.direction));
+        // On from the last run, weaker: curves that are done lie on top of each other.
+        const Segment rest{curve.back(), {box.high.x, curve.back().y}};
+        canvas_.stroke_segments(std::span(&rest, 1), {faded(colour, 0.35), 1.2});
+        for (const double mark : {0.5, 1.0}) {
+            const auto last = static_cast<double>(series.times.size() - 1);
+            const auto i = static_cast<std::size_t>(mark * last);
+            draw_mark(canvas_, series.planner, curve[2 * i + 1], 4, colour,
+                      series.direction == Direction::reversed, colours_.field);
+        }
+    }
+
+    void draw_costs(const PlotPanel& panel, const Box& box) {
+        frame(box);
+        double least = panel.relative ? 1 : HUGE_VAL, greatest = panel.relative ? 1.02 : -HUGE_VAL;
+        for (const PlotSeries& series : panel.series)
+            for (const double cost : series.costs) {
+                least = std::min(least, cost);
+                greatest = std::max(greatest, cost);
+            }
+        if (least > greatest) least = 0, greatest = 1;
+        const Axis costs = cost_axis(least, greatest, box.low.x, box.high.x);
+        for (const Tick& tick : cost_ticks(costs)) {
+            grid_line({costs.at(tick.value), box.low.y}, {costs.at(tick.value), box.high.y});
+            write({costs.at(tick.value), box.high.y + 17}, tick.label,
+                  {colours_.muted, tick_size, false, Align::centre});
+        }
+        double y = box.low.y + 22;
+        for (std::size_t i = 0; i < panel.series.size(); ++i) {
+            const PlotSeries& series = panel.series[i];
+            const bool second = i > 0 && panel.series[i - 1].planner == series.planner;
+            if (i > 0) y += second ? second_row : row_height;
+            if (!second) draw_name(series.planner, y);
+            draw_row(series, costs, y);
+        }
+    }
+
+    void draw_name(std::size_t planner, double y) {
+        const TextStyle style{colours_.ink, text_size};
+        draw_mark(canvas_, planner, {names_left, y}, 4.5, planner_colour(planner, theme_), false,
+                  colours_.page);
+        write({names_left + 14, y + 4.5},
+              shortened(canvas_, report_.plan.planners[planner].label, style,
+                        costs_left - names_left - 24),
+              style);
+    }
+
+    /// Quartiles as a bar, the median as a line, every run as a mark.
+    void draw_row(const PlotSeries& series, const Axis& costs, double y) {
+        if (series.costs.empty()) {
+            write({costs.from + 8, y + 4}, "no run solved", {colours_.muted, tick_size});
+            return;
+        }
+        const Colour colour = planner_colour(series.planner, theme_);
+        const auto place = [&](double share) {
+            return costs.at(core::quantile(series.costs, share));
+        };
+        const Box quartiles{{place(0.25), y - 6}, {place(0.75), y + 6}};
+        canvas_.fill_boxes(std::span(&quartiles, 1), faded(colour, 0.22));
+        const Segment range{{place(0), y}, {place(1), y}};
+        canvas_.stroke_segments(std::span(&range, 1), {faded(colour, 0.45), 1});
+        for (const double cost : series.costs)
+            draw_mark(canvas_, series.planner, {costs.at(cost), y}, 2.6, faded(colour, 0.7),
+                      series.direction == Direction::reversed, colours_.field);
+        const Segment median{{place(0.5), y - 7}, {place(0.5), y + 7}};
+        canvas_.stroke_segments(std::span(&median, 1), {colour, 2.4});
+    }
+
+    const BenchmarkReport& report_;
+    Canvas& canvas_;
+    Theme theme_;
+    const Palette& colours_;
+};
+
+/// One axis for all panels, so that they can be compared; to the time limit where a run was not
+/// solved.
+Axis common_times(const BenchmarkReport& report, std::span<const PlotPanel> panels) {
+    double least = HUGE_VAL, greatest = 0;
+    for (const PlotPanel& panel : panels)
+        for (const PlotSeries& series : panel.series) {
+            if (series.times.size() < series.runs) greatest = report.plan.time_limit;
+            if (series.times.empty()) continue;
+            least = std::min(least, series.times.front());
+            greatest = std::max(greatest, series.times.back());
+        }
+    greatest = std::clamp(greatest, 1e-6, 1e9);
+    return time_axis(std::clamp(least, 1e-6, greatest), greatest, left, times_right);
+}
+
+double page_height(std::span<const PlotPanel> panels) {
+    double height = header_height + 16;
+    for (const PlotPanel& panel : panels) height += panel_top + height_of(panel) + panel_bottom;
+    return height;
+}
+
+}  // namespace
+
+std::string draw_benchmark(const BenchmarkReport& report, PictureFormat format, Theme theme) {
+    std::vector<PlotPanel> panels = plot_panels(report, report.plan.problems.size());
+    if (page_height(panels) > greatest_page) panels = plot_panels(report, 0);
+    Canvas canvas(format, page_width, page_height(panels), 2);
+    canvas.fill_all(palette(theme).page);
+    Plotter plotter(report, canvas, theme);
+    plotter.header();
+    const Axis times = common_times(report, panels);
+    double top = header_height;
+    for (const PlotPanel& panel : panels) {
+        plotter.panel(panel, times, top);
+        top += panel_top + height_of(panel) + panel_bottom;
+    }
+    return canvas.finish("Benchmark: share of runs solved over time, and costs",
+                         plan_facts(report.plan));
+}
+
+}  // namespace asv::io

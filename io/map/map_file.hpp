@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "geometry/boxes/grid_cover.hpp"
+
+namespace asv::io {
+
+/// The darkest grey of 255 that counts as free is one more than this.
+inline constexpr double default_threshold = 127;
+
+/// Reads a map of occupied cells, one for each pixel or digit, the first line at the top:
+/// - a picture, PGM (P2 or P5) or PNG (colours as their luma, what is transparent on white): a
+///   pixel of at most `threshold` of 255 is occupied;
+/// - a text grid: lines "height H" and "width W" in either order, then H times W digits 0 (free) or
+///   1 (occupied) with or without white space between them; `threshold` means nothing there.
+/// Which one it is shows in the content. Throws ParseError or ReadError.
+geometry::Grid read_map(const std::filesystem::path& file, double threshold = default_threshold);
+
+/// The same from the content; name stands for the file in messages.
+geometry::Grid parse_map(std::string_view content, const std::string& name,
+                         double threshold = default_threshold);
+
+}  // namespace asv::io

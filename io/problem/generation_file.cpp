@@ -1,0 +1,29 @@
+#include "io/problem/generation_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "io/text/atomic_file.hpp"
+
+namespace asv::io {
+
+void write_generation(const std::filesystem::path& file, const Generation& generation) {
+    using nlohmann::ordered_json;
+    ordered_json parameters = ordered_json::object();
+    for (const auto& [name, value] : generation.parameters) {
+        const ordered_json parsed = ordered_json::parse(value, nullptr, false);
+        parameters[name] = parsed.is_number() ? parsed : ordered_json(value);
+    }
+    const ordered_json json = {{"problem", generation.problem},
+                               {"family", generation.family},
+                               {"asv_count", generation.asv_count},
+                               {"obstacle_count", generation.obstacle_count},
+                               {"seed", generation.seed},
+                               {"attempt", generation.attempt},
+                               {"parameters", std::move(parameters)},
+                               {"verdict", generation.solvable ? "solvable" : "unknown"},
+                               {"reason", generation.reason},
+                               {"version", generation.version}};
+    write_file(file, json.dump(2) + '\n');
+}
+
+}  // namespace asv::io

@@ -1,0 +1,247 @@
+#include "io/problem/scenario_file.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "core/chain/arm_kinematics.hpp"
+#include "io/map/map_file.hpp"
+#include "io/text/json_document.hpp"
+#include "io/text/parse_error.hpp"
+#include "io/text/scanner.hpp"
+
+namespace asv::io {
+
+namespace {
+
+using core::Problem;
+using geometry::Box;
+using geometry::Point;
+using Pointer = JsonDocument::Pointer;
+
+constexpr int format_version = 1;
+
+class ScenarioReader {
+  public:
+    ScenarioReader(std::string_view text, const std::string& name, std::filesystem::path folder)
+        : document_(text, name), folder_(std::move(folder)) {}
+
+    ProblemFile read() {
+        document_.require_members(root_, {"version", "body", "start", "goal"},
+                                  {"bounds", "obstacles", "map", "step", "tolerance"});
+        document_.integer(root_ / "version", format_version, format_version);
+        core::Requirements& required = problem_.requirements;
+        required.tolerance = number_or("tolerance", required.tolerance, 0);
+        required.max_step = number_or("step", required.max_step, min_positive);
+        read_bounds();
+        read_obstacles();
+        if (document_.has(root_ / "map")) read_map_of_cells();
+        read_body();
+        return {std::move(problem_),
+                {},
+                document_.line(root_ / "start"),
+                document_.line(root_ / "goal")};
+    }
+
+  private:
+    static constexpr double min_positive = std::numeric_limits<double>::min();
+
+    double number_or(const char* key, double otherwise, double low) const {
+        const Pointer at = root_ / key;
+        return document_.has(at) ? document_.number(at, low, largest_number) : otherwise;
+    }
+
+    double number(const Pointer& at) const {
+        return document_.number(at, -largest_number, largest_number);
+    }
+
+    std::size_t array_size(const Pointer& at, const std::string& what) const {
+        if (!document_.is_array(at)) document_.fail(at, what);
+        return document_.array(at).size();
+    }
+
+    Point read_point(const Pointer& at) const {
+        if (array_size(at, "a point [x, y]") != 2) document_.fail(at, "a point [x, y]");
+        return {number(at / 0), number(at / 1)};
+    }
+
+    Box read_box(const Pointer& at) const {
+        const std::string box = "a rectangle [[x, y], [x, y]], its lower left corner first";
+        if (array_size(at, box) != 2) document_.fail(at, box);
+        const Box result{read_point(at / 0), read_point(at / 1)};
+        if (geometry::is_empty(result)) document_.fail(at, box);
+        return result;
+    }
+
+    void read_bounds() {
+        const Pointer at = root_ / "bounds";
+        if (!document_.has(at)) return;
+        Box& bounds = problem_.requirements.bounds;
+        bounds = document_.is_null(at) ? core::without_bounds() : read_box(at);
+        if (!(bounds.low.x < bounds.high.x && bounds.low.y < bounds.high.y))
+            document_.fail(at, "a rectangle with an area, or null");
+    }
+
+    void read_obstacles() {
+        const Pointer at = root_ / "obstacles";
+        if (!document_.has(at)) return;
+        const std::size_t count = array_size(at, "an array of rectangles");
+        for (std::size_t i = 0; i < count; ++i) problem_.obstacles.push_back(read_box(at / i));
+    }
+
+    /// Where the scenario sets no bounds, those of the map hold.
+    void read_map_of_cells() {
+        const Pointer at = root_ / "map";
+        document_.require_members(at, {"file"}, {"threshold", "cell", "origin"});
+        const double cell = document_.has(at / "cell")
+                                ? document_.number(at / "cell", min_positive, largest_number)
+                                : 1;
+        const double threshold = document_.has(at / "threshold")
+                                     ? document_.number(at / "threshold", 0, 255)
+                                     : default_threshold;
+        const Point origin = document_.has(at / "origin") ? read_point(at / "origin") : Point{0, 0};
+        const geometry::Grid grid = grid_at(at / "file", threshold);
+        const auto box = [&](const geometry::CellRectangle& r) {
+            const auto place = [&](double start, std::size_t cells) {
+                return start + cell * static_cast<double>(cells);
+            };
+            return Box{{place(origin.x, r.left), place(origin.y, r.bottom)},
+                       {place(origin.x, r.right), place(origin.y, r.top)}};
+        };
+        for (const geometry::CellRectangle& r : geometry::cover(grid))
+            problem_.obstacles.push_back(box(r));
+        if (!document_.has(root_ / "bounds"))
+            problem_.requirements.bounds = box({0, 0, grid.width, grid.height});
+    }
+
+    geometry::Grid grid_at(const Pointer& at, double threshold) const {
+        const std::filesystem::path file = folder_ / document_.text(at);
+        try {
+            return read_map(file, threshold);
+        } catch (const ReadError& error) {
+            document_.fail(at, "a map that can be read (" + std::string(error.what()) + ")");
+        }
+    }
+
+    void read_body() {
+        const Pointer at = root_ / "body";
+        document_.require_object(at);
+        const std::string kind = document_.has(at / "kind") ? document_.text(at / "kind") : "";
+        if (kind == "chain") {
+            read_chain(at);
+        } else if (kind == "arm") {
+            read_arm(at);
+        } else if (kind == "point") {
+            document_.require_members(at, {"kind"}, {});
+            problem_.body = core::PointBody{};
+            problem_.start = {read_point(root_ / "start")};
+            problem_.goal = {read_point(root_ / "goal")};
+        } else {
+            document_.fail(at / "kind", "\"chain\", \"arm\" or \"point\"");
+        }
+    }
+
+    void read_chain(const Pointer& at) {
+        document_.require_members(at, {"kind"}, {"broom_length", "minimum_area_factor"});
+        core::Requirements& required = problem_.requirements;
+        if (document_.has(at / "broom_length"))
+            required.broom_length =
+                document_.number(at / "broom_length", min_positive, largest_number);
+        if (document_.has(at / "minimum_area_factor"))
+            required.area_radius_per_broom =
+                document_.number(at / "minimum_area_factor", 0, largest_number);
+        problem_.start = read_positions(root_ / "start", 0);
+        problem_.goal = read_positions(root_ / "goal", problem_.start.size());
+    }
+
+    /// As many as wanted; any number but none where that is 0.
+    std::vector<Point> read_positions(const Pointer& at, std::size_t wanted) const {
+        const std::string what = wanted == 0 ? "an array of points [x, y], one for each ASV"
+                                             : "an array of " + std::to_string(wanted) + " points";
+        const std::size_t count = array_size(at, what);
+        if (count == 0 || (wanted != 0 && count != wanted)) document_.fail(at, what);
+        std::vector<Point> positions;
+        for (std::size_t i = 0; i < count; ++i) positions.push_back(read_point(at / i));
+        return positions;
+    }
+
+    void read_arm(const Pointer& at) {
+        document_.require_members(at, {"kind", "base", "links", "angles", "joints"}, {});
+        core::PlanarArm arm;
+        const Point base = read_point(at / "base");
+        const std::size_t count = array_size(at / "links", "an array of link lengths");
+        if (count == 0) document_.fail(at / "links", "at least one link length");
+        for (std::size_t i = 0; i < count; ++i)
+            arm.links.push_back(document_.number(at / "links" / i, min_positive, largest_number));
+        const std::string angles = document_.text(at / "angles");
+        if (angles != "relative" && angles != "absolute")
+            document_.fail(at / "angles", "\"relative\" or \"absolute\"");
+        arm.angles = angles == "relative" ? core::AngleReference::previous_link
+                                          : core::AngleReference::x_axis;
+        arm.joints = read_joints(at / "joints", count);
+        arm.start = read_angles(root_ / "start", arm);
+        arm.goal = read_angles(root_ / "goal", arm);
+        // Links that turn far in one step could not be told from links that turn the other way.
+        if (problem_.requirements.max_step > *std::min_element(arm.links.begin(), arm.links.end()))
+            document_.fail(root_ / "step", "at most the length of the shortest link");
+        problem_.start = core::arm_points(arm, base, arm.start);
+        problem_.goal = core::arm_points(arm, base, arm.goal);
+        problem_.body = std::move(arm);
+    }
+
+    /// "wrap" or [low, high] for all joints, or an array with one of these for each.
+    std::vector<core::JointRange> read_joints(const Pointer& at, std::size_t count) const {
+        const bool for_all =
+            !document_.is_array(at) || (document_.has(at / 0) && document_.is_number(at / 0));
+        if (for_all) return std::vector<core::JointRange>(count, read_joint(at));
+        if (document_.array(at).size() != count)
+            document_.fail(at, "\"wrap\", [low, high], or one of these for each of " +
+                                   std::to_string(count) + " links");
+        std::vector<core::JointRange> joints;
+        for (std::size_t i = 0; i < count; ++i) joints.push_back(read_joint(at / i));
+        return joints;
+    }
+
+    core::JointRange read_joint(const Pointer& at) const {
+        const std::string what = "\"wrap\" or angles [low, high] in radians";
+        if (document_.is_text(at) && document_.text(at) == "wrap") return {.wraps = true};
+        if (!document_.is_array(at) || document_.array(at).size() != 2) document_.fail(at, what);
+        core::JointRange range{false, number(at / 0), number(at / 1)};
+        if (range.low > range.high) document_.fail(at, what);
+        return range;
+    }
+
+    std::vector<double> read_angles(const Pointer& at, const core::PlanarArm& arm) const {
+        const std::string what =
+            "an array of " + std::to_string(arm.links.size()) + " joint angles in radians";
+        if (array_size(at, what) != arm.links.size()) document_.fail(at, what);
+        std::vector<double> angles;
+        for (std::size_t i = 0; i < arm.links.size(); ++i) {
+            const core::JointRange& range = arm.joints[i];
+            const double low = range.wraps ? -largest_number : range.low;
+            const double high = range.wraps ? largest_number : range.high;
+            angles.push_back(document_.number(at / i, low, high));
+        }
+        return angles;
+    }
+
+    const Pointer root_;
+    JsonDocument document_;
+    std::filesystem::path folder_;
+    Problem problem_;
+};
+
+}  // namespace
+
+bool is_scenario(std::string_view text) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && text[first] == '{';
+}
+
+ProblemFile parse_scenario(std::string_view text, const std::string& name,
+                           const std::filesystem::path& folder) {
+    return ScenarioReader(text, name, folder).read();
+}
+
+}  // namespace asv::io

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/validate/validate.hpp"
+
+namespace asv::io {
+
+/// The checks of one path or of one state, and where in its file the first state stands.
+struct ValidatedPart {
+    std::string name;  ///< "path", "start" or "goal"
+    std::size_t first_line = 2;
+    core::ValidationReport report;
+
+    /// The line of the file that the offender stands in.
+    std::size_t line(core::Check check, const core::Offender& offender) const {
+        return check == core::Check::cost ? 1 : first_line + offender.state;
+    }
+};
+
+/// All that a run of the validator found out.
+struct ValidationSummary {
+    std::string problem;
+    std::string solution;  ///< empty when start and goal alone were checked
+    double tolerance = 0;
+    std::vector<ValidatedPart> parts;
+
+    bool valid() const;
+};
+
+/// Writes one JSON object: problem, solution (or null), tolerance, valid, and for each part its
+/// name, valid, checks and motion; each check with its name, ok, states, failures, worst (or null)
+/// and offenders. ASVs, brooms and obstacles count from 1, states from 0. Whole or not at all.
+/// Throws WriteError.
+void write_validation(const std::filesystem::path& file, const ValidationSummary& summary);
+
+}  // namespace asv::io

@@ -1,0 +1,4 @@
+#include <fstream>
+
+#include "core/model/problem.hpp"
+#include "tools/common/command_line.hpp"

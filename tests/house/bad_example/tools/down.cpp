@@ -1,4 +1,0 @@
-#include <iostream>
-
-#include "asv/core/problem.hpp"
-#include "asv/tools/command_line.hpp"

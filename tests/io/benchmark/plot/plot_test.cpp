@@ -1,0 +1,101 @@
+#include "io/benchmark/plot/plot.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "io/benchmark/plot/plot_axis.hpp"
+#include "io/benchmark/plot/plot_data.hpp"
+#include "tests/kit/sample_report.hpp"
+
+namespace asv::io {
+namespace {
+
+std::vector<std::string> labels(const std::vector<Tick>& ticks) {
+    std::vector<std::string> result;
+    for (const Tick& tick : ticks) result.push_back(tick.label);
+    return result;
+}
+
+TEST(TimeAxis, EndsAtRoundTimesAndHasTheirTicks) {
+    const Axis axis = time_axis(0.00034, 13, 100, 500);
+    EXPECT_NEAR(axis.low, 0.0002, 1e-12);
+    EXPECT_NEAR(axis.high, 20, 1e-9);
+    EXPECT_NEAR(axis.at(axis.low), 100, 1e-9);
+    EXPECT_NEAR(axis.at(axis.high), 500, 1e-9);
+    EXPECT_EQ(labels(time_ticks(axis)),
+              (std::vector<std::string>{"1 ms", "10 ms", "100 ms", "1 s", "10 s"}));
+    EXPECT_EQ(labels(time_ticks(time_axis(0.012, 0.19, 0, 1))),
+              (std::vector<std::string>{"10 ms", "20 ms", "50 ms", "100 ms", "200 ms"}));
+}
+
+TEST(TimeAxis, OfOneTimeHasAnExtent) {
+    for (const double time : {0.001, 0.002, 0.005, 0.0077}) {
+        const Axis axis = time_axis(time, time, 0, 1);
+        EXPECT_LT(axis.low, axis.high);
+        EXPECT_LE(axis.low, time * (1 + 1e-9));
+        EXPECT_GE(axis.high, time * (1 - 1e-9));
+    }
+}
+
+TEST(CostAxis, HasRoundTicks) {
+    EXPECT_EQ(labels(cost_ticks(cost_axis(1, 1.9, 0, 1))),
+              (std::vector<std::string>{"1", "1.2", "1.4", "1.6", "1.8"}));
+    const Axis single = cost_axis(3, 3, 0, 1);
+    EXPECT_LT(single.low, single.high);
+}
+
+TEST(PlotPanels, HaveTheSolvedRunsOfEachPlannerAndDirection) {
+    const auto panels = plot_panels(test::sample_report(), 2);
+    ASSERT_EQ(panels.size(), 2U);
+    EXPECT_EQ(panels[0].title, "first");
+    ASSERT_EQ(panels[0].series.size(), 4U);
+    const PlotSeries& unsolved = panels[0].series[3];
+    EXPECT_EQ(unsolved.runs, 2U);
+    EXPECT_EQ(unsolved.times, std::vector<double>{4.0 / 64});
+    EXPECT_TRUE(panels[0].relative);
+    EXPECT_EQ(unsolved.costs, std::vector<double>{1.25});
+}
+
+TEST(PlotPanels, TooManyProblemsAreOnePanel) {
+    const auto panels = plot_panels(test::sample_report(), 1);
+    ASSERT_EQ(panels.size(), 1U);
+    EXPECT_EQ(panels[0].title, "All 2 problems");
+    EXPECT_EQ(panels[0].series[0].runs, 4U);
+}
+
+TEST(PlotPanels, WithoutABoundCostsAreTheirOwn) {
+    BenchmarkReport report = test::sample_report();
+    report.runs[0].spent.cost_lower_bound = 0;
+    const auto panels = plot_panels(report, 2);
+    EXPECT_FALSE(panels[0].relative);
+    EXPECT_EQ(panels[0].series[0].costs, (std::vector<double>{2.5, 2.5}));
+    EXPECT_TRUE(panels[1].relative);
+}
+
+TEST(Plot, IsDrawnInEveryFormatAndTheme) {
+    const BenchmarkReport report = test::sample_report();
+    for (const Theme theme : {Theme::light, Theme::dark}) {
+        EXPECT_TRUE(draw_benchmark(report, PictureFormat::png, theme).starts_with("\x89PNG"));
+        EXPECT_TRUE(draw_benchmark(report, PictureFormat::pdf, theme).starts_with("%PDF"));
+    }
+    const std::string svg = draw_benchmark(report, PictureFormat::svg, Theme::light);
+    EXPECT_NE(svg.find("<title>Benchmark"), std::string::npos);
+}
+
+TEST(Plot, IsDrawnWhereNothingIsSolvedAndWhereThereIsMuch) {
+    BenchmarkReport report = test::sample_report();
+    for (core::BenchmarkRun& run : report.runs) run.status = core::SolveStatus::timeout;
+    EXPECT_FALSE(draw_benchmark(report, PictureFormat::png, Theme::light).empty());
+    report = test::sample_report();
+    report.plan.problems.resize(200, report.plan.problems[0]);
+    for (std::size_t problem = 2; problem < 200; ++problem) {
+        report.runs.push_back(report.runs[0]);
+        report.runs.back().place.problem = problem;
+    }
+    EXPECT_FALSE(draw_benchmark(report, PictureFormat::png, Theme::light).empty());
+}
+
+}  // namespace
+}  // namespace asv::io

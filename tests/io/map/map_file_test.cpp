@@ -1,0 +1,97 @@
+#include "io/map/map_file.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "io/text/parse_error.hpp"
+
+namespace asv::io {
+namespace {
+
+using geometry::Grid;
+
+/// The cells from the top line down, as text.
+std::string picture(const Grid& grid) {
+    std::string text;
+    for (std::size_t y = grid.height; y-- > 0;) {
+        for (std::size_t x = 0; x < grid.width; ++x) text += grid.occupied(x, y) ? '#' : '.';
+        text += '\n';
+    }
+    return text;
+}
+
+std::string message(const std::string& content) {
+    try {
+        parse_map(content, "map");
+    } catch (const ParseError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(MapFile, ReadsAPgmAsTextWithComments) {
+    EXPECT_EQ(picture(parse_map("P2 # grey\n# a comment\n3 2\n255\n0 127 128\n255 10 200\n", "m")),
+              "##.\n.#.\n");
+}
+
+TEST(MapFile, ReadsAPgmAsBytes) {
+    EXPECT_EQ(picture(parse_map(std::string("P5\n3 2\n255\n\x00\x7f\x80\xff\x0a\xc8", 17), "m")),
+              "##.\n.#.\n");
+    // Two bytes for each pixel, the higher one first; and a white of its own.
+    EXPECT_EQ(picture(parse_map(std::string("P5 2 1 1000\n\x01\xf0\x01\xf4", 16), "m")), "#.\n");
+}
+
+TEST(MapFile, TheThresholdCounts) {
+    EXPECT_EQ(picture(parse_map("P2 3 1 255 99 100 101", "m", 100)), "##.\n");
+    EXPECT_EQ(picture(parse_map("P2 3 1 255 0 1 2", "m", 0)), "#..\n");
+}
+
+TEST(MapFile, ReadsAGridOfDigits) {
+    EXPECT_EQ(picture(parse_map("height 2\nwidth 3\n0 1 1\n0 0 1\n", "m")), ".##\n..#\n");
+    EXPECT_EQ(picture(parse_map("width 3\r\nheight 2\r\n011\r\n001", "m")), ".##\n..#\n");
+}
+
+TEST(MapFile, ReadsAPngAndAGridOfTheTestcases) {
+    const Grid town = read_map(ASV_SOURCE_DIR "/testcases/bodies/town.png");
+    EXPECT_EQ(town.width, 300U);
+    EXPECT_EQ(town.height, 200U);
+    // A corner of the house in the upper left: pixels from (18, 16).
+    EXPECT_TRUE(town.occupied(18, 199 - 16));
+    EXPECT_FALSE(town.occupied(17, 199 - 16));
+    EXPECT_FALSE(town.occupied(18, 199 - 15));
+    const Grid workshop = read_map(ASV_SOURCE_DIR "/testcases/bodies/workshop.map");
+    EXPECT_EQ(workshop.width, 50U);
+    EXPECT_TRUE(workshop.occupied(8, 0));
+    EXPECT_FALSE(workshop.occupied(25, 0));
+}
+
+TEST(MapFile, SaysWhatItCannotUnderstandAndWhere) {
+    EXPECT_EQ(message(""),
+              "map:1:1: expected a PGM or PNG picture, or a grid that begins with 'height H' and "
+              "'width W', found the end of the file");
+    EXPECT_EQ(message("height 2\nwide 3\n"),
+              "map:2:1: expected a PGM or PNG picture, or a grid that begins with 'height H' and "
+              "'width W', found 'wide'");
+    EXPECT_EQ(message("height 1\nwidth 0\n"),
+              "map:2:7: expected the width (a whole number from 1 to 1000000), found '0'");
+    EXPECT_EQ(message("height 1\nwidth 3\n012\n"), "map:3:3: expected 0 or 1, found '2'");
+    EXPECT_EQ(message("height 1\nwidth 2\n011\n"),
+              "map:3:3: expected the end of the file after 2 digits, found '1'");
+    EXPECT_EQ(message("height 2\nwidth 2\n011\n"),
+              "map:4:1: expected 0 or 1, found the end of the file");
+    EXPECT_EQ(message("P2 2 1 255\n0 256\n"),
+              "map:2:3: expected a pixel (a whole number from 0 to 255), found '256'");
+    EXPECT_EQ(
+        message("P2 2 2 255\n0 1 2"),
+        "map:2:6: expected a pixel (a whole number from 0 to 255), found the end of the file");
+    EXPECT_EQ(message("P5 2 2 255\nab"),
+              "map:2:3: expected 4 bytes of pixels, found the end of the file");
+    EXPECT_NE(message("P5 1000000 1000000 255\nab").find("bytes of pixels"), std::string::npos);
+    EXPECT_NE(message("\x89PNG\r\n\x1a\nnonsense").find("map:1:1: expected a PNG picture"),
+              std::string::npos);
+    EXPECT_THROW(read_map("/nonexistent/map.pgm"), ReadError);
+}
+
+}  // namespace
+}  // namespace asv::io

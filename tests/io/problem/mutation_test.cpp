@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "io/map/map_file.hpp"
+#include "io/problem/problem_file.hpp"
+#include "io/problem/scenario_file.hpp"
+#include "io/solution/solution_file.hpp"
+#include "io/text/atomic_file.hpp"
+#include "io/text/parse_error.hpp"
+#include "tests/kit/random_files.hpp"
+#include "tests/kit/temporary_folder.hpp"
+
+namespace asv::io {
+namespace {
+
+int scaled(int count) {
+    const char* scale = std::getenv("ASV_TEST_SCALE");
+    return scale == nullptr ? count : static_cast<int>(count * std::atof(scale));
+}
+
+/// The text with one to five places broken as a bad disk, an editor or an enemy would.
+std::string mutated(std::string text, std::mt19937_64& random) {
+    static constexpr std::array<std::string_view, 14> words = {
+        "nan", "-inf",   "1e999",      "-1", "18446744073709551615", "0x1f", "\n\n",
+        " ",   "1e-999", "1000000000", "\r", "\xEF\xBB\xBF",         ",",    "0"};
+    for (std::size_t i = 1 + random() % 5; i > 0 && !text.empty(); --i) {
+        const std::size_t place = random() % text.size();
+        const std::size_t length = 1 + random() % 20;
+        switch (random() % 6) {
+            case 0:
+                text[place] = static_cast<char>(random());
+                break;
+            case 1:
+                text.erase(place, length);
+                break;
+            case 2:
+                text.insert(place, text.substr(random() % text.size(), length));
+                break;
+            case 3:
+                text.insert(place, words[random() % words.size()]);
+                break;
+            case 4:
+                text.resize(place);
+                break;
+            default:
+                text.insert(place, 1, static_cast<char>(random()));
+                break;
+        }
+    }
+    return text;
+}
+
+bool all_finite(std::span<const geometry::Point> points) {
+    return std::all_of(points.begin(), points.end(), [](const geometry::Point& point) {
+        return std::isfinite(point.x) && std::isfinite(point.y);
+    });
+}
+
+/// Calls check(text) on broken variants of the file; it returns whether the text was understood.
+/// Whatever else it throws fails the test.
+template <typename Check>
+void try_variants_of(const std::filesystem::path& file, std::uint64_t seed, const Check& check) {
+    const std::string original = read_file(file);
+    int understood = 0;
+    const int tries = scaled(20'000);
+    std::mt19937_64 random(seed);
+    for (int i = 0; i < tries; ++i) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", variant " + std::to_string(i));
+        const std::string text = mutated(original, random);
+        try {
+            check(text);
+            ++understood;
+        } catch (const ParseError& error) {
+            ASSERT_GE(error.line(), 1U);
+            ASSERT_LE(error.line(),
+                      1U + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
+            ASSERT_GE(error.column(), 1U);
+            ASSERT_LE(error.column(), text.size() + 1);
+        }
+    }
+    EXPECT_GT(understood, 0);
+    EXPECT_LT(understood, tries);
+}
+
+TEST(Mutation, ABrokenProblemIsUnderstoodOrRefused) {
+    const test::TemporaryFolder folder;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        std::mt19937_64 random(seed);
+        core::Problem problem = test::random_problem(random);
+        problem.obstacles.resize(3);
+        write_problem(folder / "p", problem);
+        try_variants_of(folder / "p", seed, [](const std::string& text) {
+            const core::Problem read = parse_problem(text, "p").problem;
+            ASSERT_GE(read.asv_count(), 1U);
+            ASSERT_EQ(read.goal.size(), read.asv_count());
+            ASSERT_TRUE(all_finite(read.start));
+            ASSERT_TRUE(all_finite(read.goal));
+            for (const geometry::Box& box : read.obstacles) {
+                ASSERT_FALSE(geometry::is_empty(box));
+                ASSERT_TRUE(all_finite(std::array{box.low, box.high}));
+            }
+        });
+    }
+}
+
+TEST(Mutation, ABrokenSolutionIsUnderstoodOrRefused) {
+    const test::TemporaryFolder folder;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        std::mt19937_64 random(seed);
+        write_solution(folder / "s", test::random_solution(random, 3));
+        try_variants_of(folder / "s", seed, [](const std::string& text) {
+            const core::Solution read = parse_solution(text, 3, "s");
+            ASSERT_GE(read.path.size(), 1U);
+            ASSERT_TRUE(std::isfinite(read.cost));
+            ASSERT_TRUE(all_finite(read.path.points()));
+        });
+    }
+}
+
+TEST(Mutation, ABrokenScenarioIsUnderstoodOrRefused) {
+    std::uint64_t seed = 1;
+    for (const char* name : {"arm-3-plane", "arm-10-workshop", "point-town"}) {
+        const std::string folder = ASV_SOURCE_DIR "/testcases/bodies/";
+        // Without its map, which would be read each time.
+        const test::TemporaryFolder empty;
+        std::string text = read_file(folder + name + ".json");
+        const std::size_t map = text.find(" \"map\"");
+        if (map != std::string::npos) text.erase(map, text.find('\n', map) - map + 1);
+        write_file(empty / "s", text);
+        try_variants_of(empty / "s", seed++, [&](const std::string& variant) {
+            const core::Problem read = parse_scenario(variant, "s", empty.path()).problem;
+            ASSERT_EQ(read.goal.size(), read.start.size());
+            ASSERT_TRUE(all_finite(read.start));
+            ASSERT_TRUE(all_finite(read.goal));
+        });
+    }
+}
+
+TEST(Mutation, ABrokenMapIsUnderstoodOrRefused) {
+    const test::TemporaryFolder folder;
+    const std::string maps[] = {"height 3\nwidth 4\n0 1 0 1\n0000\n1111\n",
+                                "P2 # c\n4 3\n255\n0 1 2 3 4 5 6 7 8 9 10 255\n",
+                                "P5 4 3 255\nabcdefghijkl"};
+    std::uint64_t seed = 1;
+    for (const std::string& map : maps) {
+        write_file(folder / "m", map);
+        try_variants_of(folder / "m", seed++, [](const std::string& text) {
+            const geometry::Grid grid = parse_map(text, "m");
+            ASSERT_EQ(grid.cells.size(), grid.width * grid.height);
+        });
+    }
+}
+
+}  // namespace
+}  // namespace asv::io

@@ -1,0 +1,49 @@
+#include <random>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include "io/problem/problem_file.hpp"
+#include "io/solution/solution_file.hpp"
+#include "io/text/atomic_file.hpp"
+#include "tests/kit/random_files.hpp"
+#include "tests/kit/temporary_folder.hpp"
+
+namespace asv::io {
+namespace {
+
+RC_GTEST_PROP(RoundTrip, ProblemsReadBackToTheSameNumbers, (std::uint64_t seed)) {
+    std::mt19937_64 random(seed);
+    const test::TemporaryFolder folder;
+    const core::Problem problem = test::random_problem(random);
+    write_problem(folder / "p", problem);
+    const ProblemFile back = read_problem(folder / "p");
+    RC_ASSERT(back.warnings.empty());
+    RC_ASSERT(back.problem.start == problem.start);
+    RC_ASSERT(back.problem.goal == problem.goal);
+    RC_ASSERT(back.problem.obstacles == problem.obstacles);
+}
+
+RC_GTEST_PROP(RoundTrip, SolutionsReadBackToTheSameNumbers, (std::uint64_t seed)) {
+    std::mt19937_64 random(seed);
+    const test::TemporaryFolder folder;
+    const std::size_t asv_count = 1 + random() % 30;
+    const core::Solution solution = test::random_solution(random, asv_count);
+    write_solution(folder / "s", solution);
+    const core::Solution back = read_solution(folder / "s", asv_count);
+    RC_ASSERT(back.path == solution.path);
+    RC_ASSERT(back.cost == solution.cost);
+}
+
+RC_GTEST_PROP(RoundTrip, WritingTwiceGivesTheSameBytes, (std::uint64_t seed)) {
+    std::mt19937_64 random(seed);
+    const test::TemporaryFolder folder;
+    const core::Solution solution = test::random_solution(random, 3);
+    write_solution(folder / "a", solution);
+    write_solution(folder / "b", read_solution(folder / "a", 3));
+    RC_ASSERT(read_file(folder / "a") == read_file(folder / "b"));
+}
+
+}  // namespace
+}  // namespace asv::io

@@ -1,0 +1,190 @@
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "io/text/atomic_file.hpp"
+#include "tests/kit/run_program.hpp"
+#include "tests/kit/temporary_folder.hpp"
+
+/// What a user of asv-bench sees.
+
+namespace asv::test {
+namespace {
+
+using Words = std::vector<std::string>;
+using nlohmann::json;
+
+std::string testcase(const std::string& name) {
+    return std::string(ASV_SOURCE_DIR) + "/testcases/" + name;
+}
+
+Outcome bench(const Words& problems, const Words& options = {}) {
+    Words arguments = problems;
+    arguments.insert(arguments.end(), {"--quiet", "--seeds", "2"});
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_program("asv-bench", arguments);
+}
+
+json runs_of(const Words& problems, const Words& options) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "b.json").string();
+    Words all = options;
+    all.insert(all.end(), {"--json", file});
+    const Outcome outcome = bench(problems, all);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(io::read_file(file));
+}
+
+/// What no clock and no allocator has a say in.
+json without_times(json run) {
+    for (const char* key : {"time_to_first_s", "time_total_s", "cost_history", "peak_memory_bytes"})
+        run.erase(key);
+    return run;
+}
+
+const Words two_planners{"--planner", "auto", "--planner", "swaps: rrt-connect swap-limiter=on"};
+
+TEST(BenchProgram, PrintsATableForEachProblemAndDirection) {
+    Words options = two_planners;
+    options.insert(options.end(), {"--direction", "both"});
+    const Outcome outcome = bench({testcase("3ASV.txt"), testcase("3ASV-x4.txt")}, options);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    for (const char* part : {"### 3ASV, forward\n", "### 3ASV-x4, reversed\n", "| auto | 2 of 2 |",
+                             "| swaps | 2 of 2 |", "10^6 scalar state checks"})
+        EXPECT_NE(outcome.out.find(part), std::string::npos) << outcome.out;
+}
+
+TEST(BenchProgram, SameSeedsSameWork) {
+    const auto all = [] { return runs_of({testcase("3ASV.txt")}, two_planners)["runs"]; };
+    const json first = all(), again = all();
+    ASSERT_EQ(first.size(), 4U);
+    for (std::size_t i = 0; i < first.size(); ++i)
+        EXPECT_EQ(without_times(first[i]), without_times(again[i]));
+}
+
+/// The planner's settings, the direction and the seed of a run, as asv-solve takes them.
+TEST(BenchProgram, ARunIsThatOfAsvSolve) {
+    const TemporaryFolder folder;
+    const json report = runs_of({testcase("3ASV.txt")},
+                                {"--planner", "swaps: rrt-connect swap-limiter=on", "--direction",
+                                 "reversed", "--optimize", "0.05", "--first-seed", "4"});
+    for (const json& run : report["runs"]) {
+        std::istringstream words(run["command"].get<std::string>());
+        Words arguments;
+        for (std::string word; words >> word;) arguments.push_back(word);
+        ASSERT_EQ(arguments.at(0), "asv-solve");
+        arguments.erase(arguments.begin());
+        arguments.at(1) = (folder / "s.txt").string();
+        arguments.insert(arguments.end(), {"--quiet", "--stats", (folder / "s.json").string()});
+        ASSERT_EQ(run_program("asv-solve", arguments).exit_code, 0);
+        const json stats = json::parse(io::read_file(folder / "s.json"));
+        for (const char* key :
+             {"seed", "status", "cost_first", "cost_of_search", "cost", "cost_lower_bound",
+              "primitive_steps", "primitive_steps_lower_bound", "tree_nodes", "iterations",
+              "state_checks", "edge_checks"})
+            EXPECT_EQ(run[key], stats[key]) << key;
+    }
+}
+
+TEST(BenchProgram, TakesScenarios) {
+    const json report = runs_of({testcase("bodies/arm-3-workshop.json")},
+                                {"--planner", "rrt-connect", "--direction", "both"});
+    EXPECT_EQ(report["problems"][0]["name"], "arm-3-workshop");
+    ASSERT_EQ(report["runs"].size(), 4U);
+    for (const json& run : report["runs"]) EXPECT_EQ(run["status"], "solved");
+}
+
+TEST(BenchProgram, WritesEveryFileAndNothingElse) {
+    const TemporaryFolder folder;
+    const auto in = [&](const char* name) { return (folder / name).string(); };
+    const Outcome outcome = bench(
+        {testcase("3ASV.txt"), testcase("3ASV-x4.txt")},
+        {"--table", in("b.md"), "--csv", in("b.csv"), "--json", in("b.json"), "--database",
+         in("b.db"), "--ompl-log", in("b.log"), "--plot", in("b.svg"), "--plot", in("b.png")});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(folder.entries(), 8);
+    for (const char* name :
+         {"b.md", "b.csv", "b.json", "b.db", "b-3ASV.log", "b-3ASV-x4.log", "b.svg", "b.png"})
+        EXPECT_GT(std::filesystem::file_size(folder / name), 100U) << name;
+}
+
+TEST(BenchProgram, AnUnsolvedRunIsReportedAndNoError) {
+    const Outcome outcome =
+        bench({testcase("infeasible/wall-across.txt")}, {"--time-limit", "0.05"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("| wall-across | 0 of 2 | - |"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("- wall-across forward, auto: timeout (no path found"),
+              std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("seeds 1, 2\n"), std::string::npos) << outcome.out;
+}
+
+TEST(BenchProgram, EveryUnusableProblemIsToldBeforeAnythingRuns) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        bench({testcase("3ASV.txt"), "no-such-file.txt", testcase("invalid/asv-count-zero.txt"),
+               testcase("invalid/start-broom-crosses-obstacle.txt")},
+              {"--csv", (folder / "b.csv").string()});
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_EQ(outcome.out, "");
+    for (const char* part :
+         {"no-such-file.txt: ", "asv-count-zero.txt:1:", ".txt:2: start is not valid: broom"})
+        EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(BenchProgram, WrongUsageNamesWhatThereIs) {
+    const std::vector<std::pair<Words, std::string>> cases{
+        {{"--planner", "magic"}, "rrt-connect"},
+        {{"--planner", "auto magic=1"}, "pull-share"},
+        {{"--planner", "auto pull-share=2"}, "from 0 to 1"},
+        {{"--planner", "auto pull-share"}, "[LABEL:] NAME [KEY=VALUE]"},
+        {{"--planner", "auto", "--planner", "auto"}, "two planners are called 'auto'"},
+        {{"--planner", "rrt sampler=mix"}, "mix-uniform=1"},
+        {{"--plot", "b.gif"}, "must end in .svg, .png or .pdf"},
+        {{"--direction", "sideways"}, "forward"},
+        {{"--seeds", "0"}, "--seeds"},
+        {{"--time-limit", "nan"}, "not a finite number"}};
+    for (const auto& [options, message] : cases) {
+        const Outcome outcome = run_program("asv-bench", [&] {
+            Words arguments{testcase("3ASV.txt")};
+            arguments.insert(arguments.end(), options.begin(), options.end());
+            return arguments;
+        }());
+        EXPECT_EQ(outcome.exit_code, 2) << options[1];
+        EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    }
+}
+
+TEST(BenchProgram, AnOutputThatCannotBeWrittenIsToldBeforeAnythingRuns) {
+    for (const char* option :
+         {"--table", "--csv", "--json", "--database", "--ompl-log", "--plot"}) {
+        const Outcome outcome = bench({testcase("3ASV.txt")}, {option, "/no/such/folder/b.svg"});
+        EXPECT_EQ(outcome.exit_code, 5) << option;
+        EXPECT_EQ(outcome.out, "");
+    }
+}
+
+TEST(BenchProgram, ProblemsOfOneNameKeepTheirFolders) {
+    const TemporaryFolder folder;
+    const std::string copy = (folder / "3ASV.txt").string();
+    std::filesystem::copy_file(testcase("3ASV.txt"), copy);
+    const json report = runs_of({testcase("3ASV.txt"), copy}, {});
+    EXPECT_EQ(report["problems"][1]["name"], copy);
+    EXPECT_EQ(bench({copy, copy}).exit_code, 2);
+}
+
+TEST(BenchProgram, AllStandsForEveryPlanner) {
+    const json report = runs_of({testcase("3ASV.txt")}, {"--planner", "all"});
+    EXPECT_EQ(report["planners"].size(), 8U);
+    EXPECT_EQ(report["runs"].size(), 16U);
+}
+
+}  // namespace
+}  // namespace asv::test

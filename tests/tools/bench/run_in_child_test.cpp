@@ -1,0 +1,74 @@
+#include "tools/bench/run_in_child.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "io/problem/problem_file.hpp"
+
+namespace asv::tools {
+namespace {
+
+core::BenchmarkPlan plan_of(const std::string& name) {
+    const std::string file = std::string(ASV_SOURCE_DIR) + "/testcases/" + name + ".txt";
+    core::BenchmarkPlan plan;
+    plan.problems = {{name, file, io::read_problem(file).problem}};
+    plan.planners = {{"auto", core::AutoPlanner{}, {}}};
+    plan.optimize = 0.05;
+    return plan;
+}
+
+TEST(RunInChild, IsTheRunThatWouldBeHere) {
+    const core::BenchmarkPlan plan = plan_of("3ASV");
+    const core::RunPlace place{0, 0, core::Direction::reversed, 9};
+    const core::BenchmarkRun child = run_in_child(plan, place, {});
+    const core::BenchmarkRun here = core::run_once(plan, place);
+    EXPECT_EQ(child.place.seed, 9U);
+    EXPECT_EQ(child.place.direction, core::Direction::reversed);
+    EXPECT_EQ(child.status, core::SolveStatus::solved);
+    EXPECT_EQ(child.fault, "");
+    EXPECT_EQ(child.primitive_steps, here.primitive_steps);
+    EXPECT_EQ(child.spent.cost_first, here.spent.cost_first);
+    EXPECT_EQ(child.spent.cost_of_search, here.spent.cost_of_search);
+    EXPECT_EQ(child.spent.cost, here.spent.cost);
+    EXPECT_EQ(child.spent.cost_lower_bound, here.spent.cost_lower_bound);
+    EXPECT_EQ(child.spent.steps_lower_bound, here.spent.steps_lower_bound);
+    EXPECT_EQ(child.spent.tree_nodes[0], here.spent.tree_nodes[0]);
+    EXPECT_EQ(child.spent.tree_nodes[1], here.spent.tree_nodes[1]);
+    EXPECT_EQ(child.spent.iterations, here.spent.iterations);
+    EXPECT_EQ(child.spent.state_checks, here.spent.state_checks);
+    EXPECT_EQ(child.spent.edge_checks, here.spent.edge_checks);
+    ASSERT_EQ(child.spent.cost_history.size(), here.spent.cost_history.size());
+    for (std::size_t i = 0; i < child.spent.cost_history.size(); ++i)
+        EXPECT_EQ(child.spent.cost_history[i].second, here.spent.cost_history[i].second);
+    EXPECT_GT(child.spent.time_to_first, 0);
+    EXPECT_GE(child.spent.time_total, child.spent.time_to_first);
+    EXPECT_GT(child.peak_memory_bytes.value_or(1), 0U);
+}
+
+TEST(RunInChild, TellsWhyThereIsNoPath) {
+    core::BenchmarkPlan plan = plan_of("infeasible/opposite-orientation");
+    const core::BenchmarkRun run = run_in_child(plan, {}, {});
+    EXPECT_EQ(run.status, core::SolveStatus::infeasible);
+    EXPECT_FALSE(run.reason.empty());
+}
+
+TEST(RunInChild, WhatIsThrownThereIsAFault) {
+    core::BenchmarkPlan plan = plan_of("3ASV");
+    plan.problems[0].problem.obstacles.push_back({{0, 0}, {1, 1}});
+    const core::BenchmarkRun run = run_in_child(plan, {}, {});
+    EXPECT_NE(run.fault.find("not valid"), std::string::npos) << run.fault;
+}
+
+TEST(RunInChild, AbortEndsIt) {
+    core::BenchmarkPlan plan = plan_of("infeasible/wall-across");
+    plan.time_limit = 3600;
+    std::stop_source abort;
+    abort.request_stop();
+    const core::BenchmarkRun run = run_in_child(plan, {}, abort.get_token());
+    EXPECT_FALSE(run.solved());
+    EXPECT_EQ(run.fault, "");
+}
+
+}  // namespace
+}  // namespace asv::tools

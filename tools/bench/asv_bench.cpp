@@ -1,0 +1,252 @@
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/benchmark/machine_unit.hpp"
+#include "core/benchmark/run.hpp"
+#include "io/benchmark/arena_database.hpp"
+#include "io/benchmark/ompl_log.hpp"
+#include "io/benchmark/plot/plot.hpp"
+#include "io/benchmark/runs_csv.hpp"
+#include "io/benchmark/runs_json.hpp"
+#include "io/benchmark/table.hpp"
+#include "io/text/atomic_file.hpp"
+#include "tools/bench/bench_plan.hpp"
+#include "tools/bench/machine.hpp"
+#include "tools/bench/run_in_child.hpp"
+#include "tools/common/command_line.hpp"
+#include "tools/common/interrupt.hpp"
+#include "tools/common/progress_line.hpp"
+
+namespace {
+
+namespace core = asv::core;
+namespace io = asv::io;
+using asv::tools::CommandLine;
+using asv::tools::ExitCode;
+using asv::tools::ProgressLine;
+using asv::tools::UsageError;
+using std::filesystem::path;
+
+struct Arguments {
+    std::vector<std::string> problems;
+    std::vector<std::string> planners = {"auto"};
+    std::string direction = "forward";
+    std::string table = "-";
+    std::string csv, json, ompl_log, database;
+    std::vector<path> plots;
+    std::string theme = "light";
+    core::BenchmarkPlan plan;
+};
+
+void add_plan_options(CLI::App& app, Arguments& arguments) {
+    core::BenchmarkPlan& plan = arguments.plan;
+    app.add_option("PROBLEMS", arguments.problems, "Problem files and scenarios")->required();
+    app.add_option("--planner", arguments.planners,
+                   "\"[LABEL:] NAME [KEY=VALUE]...\": a planner with settings, see asv-solve "
+                   "--list-planners; \"all\" for every planner; may be repeated")
+        ->allow_extra_args(false)
+        ->capture_default_str();
+    app.add_option("--seeds", plan.seeds, "Runs of each planner on each problem in each direction")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    app.add_option("--first-seed", plan.first_seed, "The first seed; the others follow it")
+        ->check(asv::tools::finite_and_not_negative())
+        ->capture_default_str();
+    app.add_option("--direction", arguments.direction, "forward, reversed (goal to start) or both")
+        ->check(CLI::IsMember({"forward", "reversed", "both"}))
+        ->capture_default_str();
+    app.add_option("--time-limit", plan.time_limit, "Seconds of wall clock for each run")
+        ->check(asv::tools::finite_and_not_negative())
+        ->capture_default_str();
+    app.add_option("--optimize", plan.optimize,
+                   "Improvement after the first path, in seconds of work, as in asv-solve")
+        ->check(asv::tools::finite_and_not_negative())
+        ->capture_default_str();
+    app.add_option("--threads", plan.threads, "Threads of each run")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    app.add_option("--jobs", plan.jobs,
+                   "Runs side by side: sooner done, but their times are spoilt")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+}
+
+void add_output_options(CLI::App& app, Arguments& arguments) {
+    app.add_option("--table", arguments.table, "Markdown table; - for standard output")
+        ->capture_default_str();
+    app.add_option("--csv", arguments.csv, "Write one line for each run as CSV");
+    app.add_option("--json", arguments.json,
+                   "Write session, summary, and all runs with their commands as JSON");
+    app.add_option("--ompl-log", arguments.ompl_log,
+                   "Write a text log of OMPL's benchmarks; with several problems or directions one "
+                   "for each, its name before the ending");
+    app.add_option("--database", arguments.database, "Write an SQLite database for Planner Arena");
+    app.add_option("--plot", arguments.plots,
+                   "Draw shares solved over time and costs: .svg, .png or .pdf; may be repeated")
+        ->allow_extra_args(false);
+    app.add_option("--theme", arguments.theme, "Colours of the plot: light or dark")
+        ->check(CLI::IsMember({"light", "dark"}))
+        ->capture_default_str();
+}
+
+io::PictureFormat format_of(const path& file) {
+    const std::string ending = file.extension().string();
+    if (ending == ".svg") return io::PictureFormat::svg;
+    if (ending == ".png") return io::PictureFormat::png;
+    if (ending == ".pdf") return io::PictureFormat::pdf;
+    throw UsageError("--plot " + file.string() + ": must end in .svg, .png or .pdf");
+}
+
+void complete_plan(Arguments& arguments) {
+    core::BenchmarkPlan& plan = arguments.plan;
+    plan.planners = asv::tools::parse_planners(arguments.planners);
+    for (const path& file : arguments.plots) static_cast<void>(format_of(file));
+    plan.directions.clear();
+    if (arguments.direction != "reversed") plan.directions.push_back(core::Direction::forward);
+    if (arguments.direction != "forward") plan.directions.push_back(core::Direction::reversed);
+}
+
+/// A file to write, and its content.
+struct Output {
+    path file;
+    std::string content;
+};
+
+std::vector<Output> files_of(const Arguments& arguments, const io::BenchmarkReport& report) {
+    std::vector<Output> outputs;
+    const auto add = [&](const std::string& file, auto make) {
+        if (!file.empty()) outputs.push_back({file, make(report)});
+    };
+    if (arguments.table != "-") add(arguments.table, io::markdown_table);
+    add(arguments.csv, io::runs_csv);
+    add(arguments.json, io::runs_json);
+    add(arguments.database, io::arena_database);
+    const io::Theme theme = arguments.theme == "dark" ? io::Theme::dark : io::Theme::light;
+    for (const path& file : arguments.plots)
+        outputs.push_back({file, io::draw_benchmark(report, format_of(file), theme)});
+    if (arguments.ompl_log.empty()) return outputs;
+    const bool several = report.plan.problems.size() * report.plan.directions.size() > 1;
+    for (const io::Experiment& experiment : io::experiments(report))
+        outputs.push_back({io::ompl_log_file(arguments.ompl_log, experiment, several),
+                           io::ompl_log(report, experiment)});
+    return outputs;
+}
+
+/// Finds out before an hour of runs that their results have no place to go.
+void require_places(const Arguments& arguments) {
+    std::vector<std::string> files{arguments.csv, arguments.json, arguments.ompl_log,
+                                   arguments.database};
+    if (arguments.table != "-") files.push_back(arguments.table);
+    for (const path& file : arguments.plots) files.push_back(file.string());
+    for (const std::string& file : files)
+        if (!file.empty()) io::require_writable(file);
+}
+
+std::string seconds_text(double seconds) {
+    const auto whole = static_cast<long>(std::lround(seconds));
+    if (whole < 120) return std::to_string(whole) + " s";
+    if (whole < 7200) return std::to_string(whole / 60) + " min";
+    return std::to_string(whole / 3600) + " h";
+}
+
+/// Shows what is running and how long it may take.
+class Progress {
+  public:
+    Progress(const core::BenchmarkPlan& plan, bool wanted) : plan_(plan), line_(wanted) {}
+
+    void begin(const core::RunPlace& place) {
+        const double elapsed = std::chrono::duration<double>(core::Clock::now() - begun_).count();
+        std::string text =
+            std::to_string(done_ + 1) + " of " + std::to_string(core::run_count(plan_)) + ": " +
+            plan_.problems[place.problem].name + ", " + plan_.planners[place.planner].label + ", " +
+            std::string(core::name(place.direction)) + ", seed " + std::to_string(place.seed);
+        if (done_ > 0) {
+            const auto left = static_cast<double>(core::run_count(plan_) - done_);
+            text +=
+                ", about " + seconds_text(elapsed / static_cast<double>(done_) * left) + " left";
+        }
+        line_.show(text);
+    }
+    void end() { ++done_; }
+    void clear() { line_.clear(); }
+
+  private:
+    const core::BenchmarkPlan& plan_;
+    ProgressLine line_;
+    core::Clock::time_point begun_ = core::Clock::now();
+    std::size_t done_ = 0;
+};
+
+std::vector<core::BenchmarkRun> run_all(const core::BenchmarkPlan& plan, bool quiet) {
+    const asv::tools::InterruptWatch interrupt;
+    Progress progress(plan, !quiet);
+    core::BenchmarkWatch watch;
+    watch.before = [&](const core::RunPlace& place) { progress.begin(place); };
+    watch.after = [&](const core::BenchmarkRun&) { progress.end(); };
+    watch.perform = asv::tools::run_in_child;
+    watch.enough = interrupt.token();
+    watch.abort = interrupt.again();
+    return core::run_benchmark(plan, watch);
+}
+
+/// Reports a run that must not be: its message and the command that repeats it.
+ExitCode report_fault(const core::BenchmarkPlan& plan, const core::BenchmarkRun& run) {
+    std::cerr << "asv-bench: a bug, nothing was written: " << run.fault
+              << "\nIt comes again with\n  " << io::solve_command(plan, run.place) << '\n';
+    return ExitCode::internal;
+}
+
+ExitCode bench(const CommandLine& command_line, Arguments& arguments) {
+    complete_plan(arguments);
+    core::BenchmarkPlan& plan = arguments.plan;
+    if (!asv::tools::read_problems(command_line, arguments.problems, plan.problems))
+        return ExitCode::bad_input;
+    asv::tools::require_usable(plan);
+    require_places(arguments);
+
+    io::BenchmarkReport report;
+    report.session = {ASV_VERSION, asv::tools::host_name(), asv::tools::cpu_name(),
+                      std::thread::hardware_concurrency(), std::chrono::system_clock::now()};
+    const auto begun = core::Clock::now();
+    report.session.unit_before = core::seconds_per_million_checks();
+    report.runs = run_all(plan, command_line.quiet());
+    for (const core::BenchmarkRun& run : report.runs)
+        if (!run.fault.empty()) return report_fault(plan, run);
+    if (report.runs.empty()) {
+        std::cerr << "asv-bench: interrupted before a run had ended; nothing was written\n";
+        return ExitCode::interrupted;
+    }
+    report.session.unit_after = core::seconds_per_million_checks();
+    report.session.total = std::chrono::duration<double>(core::Clock::now() - begun).count();
+    report.plan = std::move(plan);
+
+    for (const Output& output : files_of(arguments, report))
+        io::write_file(output.file, output.content);
+    if (arguments.table == "-") std::cout << io::markdown_table(report);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CommandLine command_line(
+        "asv-bench",
+        "Runs planners on problems with many seeds, each run as asv-solve would and in a process "
+        "of its own, checks every "
+        "solution once more, and tells how it went. Runs that find no path are results: the exit "
+        "code is 0 all the same. Ctrl-C ends it after the current run, pressed twice at once; what "
+        "there is is written.",
+        "asv-bench testcases/3ASV.txt testcases/7ASV.txt --planner auto --planner \"swaps: "
+        "rrt-connect swap-limiter=on\" --direction both --csv runs.csv");
+    Arguments arguments;
+    add_plan_options(command_line.options(), arguments);
+    add_output_options(command_line.options(), arguments);
+    return command_line.run(argc, argv, [&] { return bench(command_line, arguments); });
+}

@@ -1,0 +1,129 @@
+#include "tools/bench/bench_plan.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "io/problem/problem_file.hpp"
+#include "io/text/parse_error.hpp"
+
+namespace asv::tools {
+
+namespace {
+
+/// The words with one blank between them.
+std::string tidied(const std::string& text) {
+    std::istringstream words(text);
+    std::string result;
+    for (std::string word; words >> word;) result += (result.empty() ? "" : " ") + word;
+    return result;
+}
+
+/// Sets one KEY=VALUE of the planner and remembers it.
+void set_one(core::BenchmarkPlanner& planner, const std::string& setting) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos)
+        throw UsageError("--planner wants [LABEL:] NAME [KEY=VALUE]..., not '" + setting + "'");
+    const std::string key = setting.substr(0, equals), value = setting.substr(equals + 1);
+    core::set(planner.planner, key, value);
+    planner.settings.emplace_back(key, value);
+}
+
+/// True when the problem can be run; tells why where it cannot.
+bool accept(const std::string& file, const io::ProblemFile& read) {
+    const auto invalid = core::invalid_ends(read.problem);
+    for (const core::InvalidEnd& end : invalid)
+        std::cerr << file << ':' << (end.goal ? read.goal_line : read.start_line) << ": "
+                  << (end.goal ? "goal" : "start") << " is not valid: " << end.reason << '\n';
+    return invalid.empty();
+}
+
+}  // namespace
+
+core::BenchmarkPlanner parse_planner(const std::string& given) {
+    const std::string text = tidied(given);
+    if (std::any_of(text.begin(), text.end(),
+                    [](char c) { return static_cast<unsigned char>(c) < ' '; }))
+        throw UsageError("--planner: there is a control character in it");
+    const std::size_t colon = text.rfind(':');
+    const std::string call = colon == std::string::npos ? text : text.substr(colon + 1);
+    core::BenchmarkPlanner planner;
+    planner.label = tidied(text.substr(0, colon));
+    std::istringstream words(call);
+    std::string word;
+    words >> word;
+    try {
+        planner.planner = core::planner_named(word);
+        while (words >> word) set_one(planner, word);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+    if (planner.label.empty()) planner.label = tidied(call);
+    return planner;
+}
+
+std::vector<core::BenchmarkPlanner> parse_planners(const std::vector<std::string>& texts) {
+    std::vector<core::BenchmarkPlanner> planners;
+    for (const std::string& text : texts) {
+        if (text == "all")
+            for (const std::string_view name : core::planner_names())
+                planners.push_back(parse_planner(std::string(name)));
+        else
+            planners.push_back(parse_planner(text));
+    }
+    std::set<std::string> labels;
+    for (const core::BenchmarkPlanner& planner : planners)
+        if (!labels.insert(planner.label).second)
+            throw UsageError("two planners are called '" + planner.label +
+                             "'; give one a label: \"LABEL: NAME KEY=VALUE\"");
+    return planners;
+}
+
+std::vector<std::string> problem_names(const std::vector<std::string>& files) {
+    std::map<std::string, std::size_t> uses;
+    const auto stem = [](const std::string& file) {
+        return std::filesystem::path(file).stem().string();
+    };
+    for (const std::string& file : files) ++uses[stem(file)];
+    std::vector<std::string> names;
+    for (const std::string& file : files)
+        names.push_back(uses[stem(file)] == 1 ? stem(file) : file);
+    return names;
+}
+
+bool read_problems(const CommandLine& command_line, const std::vector<std::string>& files,
+                   std::vector<core::BenchmarkProblem>& problems) {
+    if (std::set<std::string>(files.begin(), files.end()).size() != files.size())
+        throw UsageError("a problem is given twice");
+    const std::vector<std::string> names = problem_names(files);
+    bool all_good = true;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        try {
+            io::ProblemFile read = io::read_problem(files[i]);
+            command_line.print(read.warnings);
+            all_good = accept(files[i], read) && all_good;
+            problems.push_back({names[i], files[i], std::move(read.problem)});
+        } catch (const io::ParseError& error) {
+            std::cerr << error.what() << '\n';
+            all_good = false;
+        } catch (const io::ReadError& error) {
+            std::cerr << "asv-bench: " << error.what() << '\n';
+            all_good = false;
+        }
+    }
+    return all_good;
+}
+
+void require_usable(const core::BenchmarkPlan& plan) {
+    for (const core::BenchmarkProblem& problem : plan.problems)
+        for (const core::BenchmarkPlanner& planner : plan.planners) try {
+                core::require_usable(planner.planner, problem.problem.body_kind());
+            } catch (const std::invalid_argument& error) {
+                throw UsageError(problem.name + ", " + planner.label + ": " + error.what());
+            }
+}
+
+}  // namespace asv::tools

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/benchmark/plan.hpp"
+#include "tools/common/command_line.hpp"
+
+namespace asv::tools {
+
+/// A planner from "[LABEL:] NAME [KEY=VALUE]...", words parted by blanks; without a label its own
+/// words are one. Throws UsageError, which says what there is, for an unknown name or setting.
+core::BenchmarkPlanner parse_planner(const std::string& given);
+
+/// All of them; "all" stands for every planner there is. Throws UsageError, also when two would
+/// have one label.
+std::vector<core::BenchmarkPlanner> parse_planners(const std::vector<std::string>& texts);
+
+/// What to call the problems of these files: the name without folder and ending where no other has
+/// it, else the whole path.
+std::vector<std::string> problem_names(const std::vector<std::string>& files);
+
+/// Reads the files and checks that start and goal of each are valid. Tells on standard error
+/// everything that is wrong with any of them. Returns false when there was something, and the plan
+/// cannot be run. Warnings are told as those of asv-solve.
+bool read_problems(const CommandLine& command_line, const std::vector<std::string>& files,
+                   std::vector<core::BenchmarkProblem>& problems);
+
+/// Throws UsageError when a planner's settings do not suit the body of a problem.
+void require_usable(const core::BenchmarkPlan& plan);
+
+}  // namespace asv::tools
