@@ -14,7 +14,7 @@ namespace asv::core {
 /// numbers. The space may keep scratch memory and counters, so it is not const while planning.
 template <class Space>
 concept ConfigurationSpace = requires(Space& space, Rng& rng, std::span<double> out,
-                                      std::span<const double> row, Rows& visited,
+                                      std::span<const double> row, Configurations& visited,
                                       const NearestNeighbours& index) {
     { space.dimension() } -> std::convertible_to<std::size_t>;
     /// An empty index in the space's metric.

@@ -53,8 +53,8 @@ std::uint32_t connect(Space& space, Roadmap& roadmap, std::span<const double> ro
 
 /// The rows of a shortest path between two nodes; empty when they are not connected.
 template <SampledSpace Space>
-Rows shortest_path(Space& space, const Roadmap& roadmap, std::uint32_t from, std::uint32_t to,
-                   RoadmapSearch search) {
+Configurations shortest_path(Space& space, const Roadmap& roadmap, std::uint32_t from,
+                             std::uint32_t to, RoadmapSearch search) {
     std::vector<double> row(space.dimension());
     const auto cost_lower_bound = [&](std::uint32_t node) {
         std::copy(roadmap.row(node).begin(), roadmap.row(node).end(), row.begin());

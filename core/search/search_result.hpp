@@ -19,7 +19,7 @@ std::string_view name(Outcome outcome);
 
 /// Configurations one after the other in one block, each joined to the next by a proven straight
 /// motion; the dimension is that of the space.
-using Rows = std::vector<double>;
+using Configurations = std::vector<double>;
 
 /// What steering toward a configuration came to (LaValle and Kuffner, 2001).
 enum class Steered {
@@ -31,7 +31,7 @@ enum class Steered {
 /// What a search found and what it spent.
 struct SearchResult {
     Outcome outcome = Outcome::iterations;
-    Rows path;  ///< from start to goal; empty unless solved
+    Configurations path;  ///< from start to goal; empty unless solved
     /// That of the start, that of the goal; one tree only, or the nodes of a roadmap as roots.
     std::vector<Tree> trees;
     std::vector<std::array<std::uint32_t, 2>> edges;  ///< of a roadmap: pairs of nodes

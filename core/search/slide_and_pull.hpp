@@ -34,7 +34,7 @@ struct SlideAndPullOptions {
 template <class Space>
 concept PullableSpace = ConfigurationSpace<Space> &&
     requires(Space& space, Rng& rng, std::span<const double> row, std::size_t asv,
-             const geometry::Point& point, std::span<double> out, Rows& visited) {
+             const geometry::Point& point, std::span<double> out, Configurations& visited) {
     { space.asv_count() } -> std::convertible_to<std::size_t>;
     { space.pull_target(rng, 0.5) } -> std::same_as<std::optional<geometry::Point>>;
     { space.position(row, asv) } -> std::same_as<geometry::Point>;
@@ -57,7 +57,7 @@ SearchResult slide_and_pull(Space& space, const Query& query, const SlideAndPull
     TwoTrees<Space> trees(space, query);
     SearchResult result;
     std::vector<double> target(query.goal.begin(), query.goal.end());
-    Rows visited;
+    Configurations visited;
 
     // What grows a tree gives the new node, if it moved at all.
     const auto drag = [&](int side, std::uint32_t node, std::size_t end,

@@ -27,7 +27,7 @@ class Hybrid {
           empty_index_(metric.scales(), {}),
           graph_(empty_index_) {}
 
-    void add_path(const Rows& path) {
+    void add_path(const Configurations& path) {
         const auto first = static_cast<std::uint32_t>(graph_.size());
         begins_.push_back(first);
         indices_.push_back(empty_index_);
@@ -48,7 +48,7 @@ class Hybrid {
             if (metric_.distance(graph_.row(a), graph_.row(nearest)) > longest_bridge ||
                 bridges_.contains({a, nearest}))
                 continue;
-            Rows rows;
+            Configurations rows;
             if (!bridge(graph_.row(a), graph_.row(nearest), rows)) continue;
             double length = 0;
             std::span<const double> last = graph_.row(a);
@@ -64,9 +64,9 @@ class Hybrid {
         }
     }
 
-    Rows shortest() const {
+    Configurations shortest() const {
         // The two starts are one configuration, and so are the two goals.
-        Rows best;
+        Configurations best;
         const auto nodes = graph_.dijkstra(begins_[0], ends_[0] - 1);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             if (i > 0) {
@@ -89,8 +89,8 @@ class Hybrid {
   private:
     std::ptrdiff_t width() const { return static_cast<std::ptrdiff_t>(dimension_); }
 
-    Rows backward(const Rows& rows) const {
-        Rows reversed;
+    Configurations backward(const Configurations& rows) const {
+        Configurations reversed;
         for (std::size_t i = rows.size(); i >= dimension_; i -= dimension_)
             reversed.insert(reversed.end(), rows.data() + i - dimension_, rows.data() + i);
         return reversed;
@@ -104,13 +104,13 @@ class Hybrid {
     std::vector<std::uint32_t> begins_, ends_;  ///< nodes of each path
     std::vector<NearestNeighbours> indices_;    ///< of each path
     /// What lies between the ends of a bridge.
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Rows> bridges_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Configurations> bridges_;
 };
 
 }  // namespace
 
-Rows hybridise(const Rows& path, const Rows& other, const Metric& metric, MotionCost& cost,
-               const Bridge& bridge) {
+Configurations hybridise(const Configurations& path, const Configurations& other,
+                         const Metric& metric, MotionCost& cost, const Bridge& bridge) {
     const auto d = static_cast<std::ptrdiff_t>(metric.dimension());
     if (!std::equal(path.end() - d, path.end(), other.end() - d)) return path;
     Hybrid hybrid(metric, cost);

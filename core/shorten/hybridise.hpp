@@ -13,7 +13,7 @@ namespace asv::core {
 /// path in the graph of both paths and their bridges.
 /// Precondition: both lead from the same start to the same goal; headings that have made another
 /// number of full turns at the goal count as another goal, and `path` is returned.
-Rows hybridise(const Rows& path, const Rows& other, const Metric& metric, MotionCost& cost,
-               const Bridge& bridge);
+Configurations hybridise(const Configurations& path, const Configurations& other,
+                         const Metric& metric, MotionCost& cost, const Bridge& bridge);
 
 }  // namespace asv::core

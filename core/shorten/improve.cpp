@@ -43,7 +43,7 @@ class Improvement {
           cost_(checker.chain()),
           end_(spent() + work) {}
 
-    Rows run(Rows path, const std::function<AnotherPath(Rng&)>& another) {
+    Configurations run(Configurations path, const std::function<AnotherPath(Rng&)>& another) {
         shorten(std::move(path));
         int failures = 0;
         while (another && best_ > 0 && failures < max_failures && !exhausted()) {
@@ -51,7 +51,7 @@ class Improvement {
             end_ -= std::max(other.work, min_search);
             failures = other.path.empty() ? failures + 1 : 0;
             if (other.path.empty()) continue;
-            const Rows best = best_path_;
+            const Configurations best = best_path_;
             shorten(std::move(other.path));
             cross(best);
         }
@@ -67,7 +67,7 @@ class Improvement {
     bool exhausted() const { return spent() >= end_ || limits_.expired(); }
 
     /// Both methods by turns, until neither gains.
-    void shorten(Rows path) {
+    void shorten(Configurations path) {
         path_ = std::move(path);
         current_ = cost_.path(path_);
         if (best_path_.empty()) {
@@ -84,23 +84,23 @@ class Improvement {
     }
 
     /// What the present path and the best one before it give together.
-    void cross(const Rows& best) {
+    void cross(const Configurations& best) {
         if (exhausted()) return;
-        const Bridge slide = [&](auto from, auto to, Rows& between) {
+        const Bridge slide = [&](auto from, auto to, Configurations& between) {
             return !exhausted() && steering_.slide(from, to, between) == Steered::reached;
         };
-        Rows crossed = hybridise(best, path_, metric_, cost_, slide);
+        Configurations crossed = hybridise(best, path_, metric_, cost_, slide);
         if (cost_.path(crossed) < best_ * (1 - min_round_gain)) shorten(std::move(crossed));
     }
 
     void shortcut() {
         const auto valid = [&](auto from, auto to) { return checker_.valid(from, to); };
-        const Bridge straight = [&](auto from, auto to, Rows& between) {
+        const Bridge straight = [&](auto from, auto to, Configurations& between) {
             if (!valid(from, to)) return false;
             between.assign(to.begin(), to.end());
             return true;
         };
-        const Bridge slide = [&](auto from, auto to, Rows& between) {
+        const Bridge slide = [&](auto from, auto to, Configurations& between) {
             return steering_.slide(from, to, between) == Steered::reached;
         };
         const std::size_t angles = checker_.chain().broom_count();
@@ -136,7 +136,7 @@ class Improvement {
         keep(band_.path());
     }
 
-    void keep(const Rows& path) {
+    void keep(const Configurations& path) {
         const double cost = cost_.path(path);
         if (cost >= current_) return;
         current_ = cost;
@@ -155,7 +155,7 @@ class Improvement {
     Rng& rng_;
     const std::function<void(double)>& on_better_;
     MotionCost cost_;
-    Rows path_, best_path_;
+    Configurations path_, best_path_;
     double current_ = 0, best_ = 0;  ///< costs of path_ and best_path_
     double end_;
 };
@@ -172,9 +172,10 @@ double work_of(const WorkDone& done, std::size_t asv_count, std::size_t obstacle
            static_cast<double>(done.way_point_steps) * (0.8 + 0.032 * n * n);
 }
 
-Rows improve(Rows path, MotionChecker& checker, const Metric& metric, SlideSteering& steering,
-             const std::function<AnotherPath(Rng&)>& another, double work, const Limits& limits,
-             Rng& rng, const std::function<void(double)>& on_better) {
+Configurations improve(Configurations path, MotionChecker& checker, const Metric& metric,
+                       SlideSteering& steering, const std::function<AnotherPath(Rng&)>& another,
+                       double work, const Limits& limits, Rng& rng,
+                       const std::function<void(double)>& on_better) {
     return Improvement(checker, metric, steering, work, limits, rng, on_better)
         .run(std::move(path), another);
 }

@@ -14,7 +14,7 @@ namespace asv::core {
 /// Another path between the same ends, from a new search, and the work that it took; the path is
 /// empty where the search failed. See work_of().
 struct AnotherPath {
-    Rows path;
+    Configurations path;
     double work = 0;
 };
 
@@ -34,8 +34,9 @@ double work_of(const WorkDone& done, std::size_t asv_count, std::size_t obstacle
 /// all lengths) and by pulling it taut; once that gains nothing more, the same with other paths,
 /// which may pass the obstacles on other sides (restart and shortcut: Luna and others, 2013). The
 /// limits end it early. Returns the best path; on_better is told the cost of each.
-Rows improve(Rows path, MotionChecker& checker, const Metric& metric, SlideSteering& steering,
-             const std::function<AnotherPath(Rng&)>& another, double work, const Limits& limits,
-             Rng& rng, const std::function<void(double)>& on_better = {});
+Configurations improve(Configurations path, MotionChecker& checker, const Metric& metric,
+                       SlideSteering& steering, const std::function<AnotherPath(Rng&)>& another,
+                       double work, const Limits& limits, Rng& rng,
+                       const std::function<void(double)>& on_better = {});
 
 }  // namespace asv::core

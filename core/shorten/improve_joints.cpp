@@ -26,7 +26,7 @@ class JointImprovement {
           on_better_(on_better),
           end_(spent() + work) {}
 
-    Rows run(Rows path, const std::function<AnotherPath(Rng&)>& another) {
+    Configurations run(Configurations path, const std::function<AnotherPath(Rng&)>& another) {
         best_ = path_cost(space_, path);
         best_path_ = path;
         shortcut(std::move(path));
@@ -47,8 +47,8 @@ class JointImprovement {
 
     bool finished() const { return best_ <= good_enough_ || spent() >= end_ || limits_.expired(); }
 
-    void shortcut(Rows path) {
-        const Bridge straight = [&](auto from, auto to, Rows& between) {
+    void shortcut(Configurations path) {
+        const Bridge straight = [&](auto from, auto to, Configurations& between) {
             if (!space_.motion_valid(from, to)) return false;
             between.assign(to.begin(), to.end());
             return true;
@@ -77,13 +77,13 @@ class JointImprovement {
     Rng& rng_;
     const std::function<void(double)>& on_better_;
     double end_;
-    Rows best_path_;
+    Configurations best_path_;
     double best_ = 0;
 };
 
 }  // namespace
 
-double path_cost(const JointSpace& space, const Rows& path) {
+double path_cost(const JointSpace& space, const Configurations& path) {
     const std::size_t d = space.dimension();
     double sum = 0;
     for (std::size_t i = d; i < path.size(); i += d)
@@ -98,9 +98,10 @@ double joint_work_of(std::uint64_t state_checks, std::uint64_t motion_checks,
            static_cast<double>(motion_checks) * (2 + 0.7 * d);
 }
 
-Rows improve_joints(Rows path, JointSpace& space, const std::function<AnotherPath(Rng&)>& another,
-                    double lower_bound, double work, const Limits& limits, Rng& rng,
-                    const std::function<void(double)>& on_better) {
+Configurations improve_joints(Configurations path, JointSpace& space,
+                              const std::function<AnotherPath(Rng&)>& another, double lower_bound,
+                              double work, const Limits& limits, Rng& rng,
+                              const std::function<void(double)>& on_better) {
     return JointImprovement(space, lower_bound, work, limits, rng, on_better)
         .run(std::move(path), another);
 }

@@ -21,11 +21,12 @@ double joint_work_of(std::uint64_t state_checks, std::uint64_t motion_checks,
 /// gain nothing more, the same with other paths. Ends at once when the path costs no more than
 /// the lower bound. Returns the best path; on_better is told the cost of each. Work is counted in
 /// microseconds of a 2.8 GHz core, see joint_work_of().
-Rows improve_joints(Rows path, JointSpace& space, const std::function<AnotherPath(Rng&)>& another,
-                    double lower_bound, double work, const Limits& limits, Rng& rng,
-                    const std::function<void(double)>& on_better = {});
+Configurations improve_joints(Configurations path, JointSpace& space,
+                              const std::function<AnotherPath(Rng&)>& another, double lower_bound,
+                              double work, const Limits& limits, Rng& rng,
+                              const std::function<void(double)>& on_better = {});
 
 /// What all motions of a path cost.
-double path_cost(const JointSpace& space, const Rows& path);
+double path_cost(const JointSpace& space, const Configurations& path);
 
 }  // namespace asv::core

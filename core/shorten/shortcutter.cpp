@@ -11,7 +11,7 @@ constexpr double min_gain = 1e-5;
 
 }  // namespace
 
-Shortcutter::Shortcutter(std::size_t dimension, Cost cost, Rows path)
+Shortcutter::Shortcutter(std::size_t dimension, Cost cost, Configurations path)
     : dimension_(dimension),
       motion_cost_(std::move(cost)),
       path_(std::move(path)),
@@ -84,7 +84,7 @@ void Shortcutter::replace() {
     const auto row_begin = [&](std::size_t i) {
         return path_.begin() + static_cast<std::ptrdiff_t>(i * dimension_);
     };
-    Rows joined(path_.begin(), row_begin(first_.after + (first_.fraction > 0 ? 1 : 0)));
+    Configurations joined(path_.begin(), row_begin(first_.after + (first_.fraction > 0 ? 1 : 0)));
     if (from_start_) joined.clear();
     joined.insert(joined.end(), from_.begin(), from_.end());
     joined.insert(joined.end(), between_.begin(), between_.end());

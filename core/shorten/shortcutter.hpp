@@ -15,8 +15,8 @@ namespace asv::core {
 
 /// How two places of a path may be joined anew: appends the rows that lead from the first to the
 /// second (the second one included) and says whether they get there.
-using Bridge =
-    std::function<bool(std::span<const double> from, std::span<const double> to, Rows& between)>;
+using Bridge = std::function<bool(std::span<const double> from, std::span<const double> to,
+                                  Configurations& between)>;
 
 /// Tries to shorten a path and returns whether it did: two random places, even in cost, are joined
 /// anew by the bridge; what is cheaper replaces what was between them (Geraerts and Overmars, 2007,
@@ -26,12 +26,12 @@ class Shortcutter {
     /// What a straight motion costs: not negative, and as much for its parts together.
     using Cost = std::function<double(std::span<const double> from, std::span<const double> to)>;
 
-    Shortcutter(std::size_t dimension, Cost cost, Rows path);
+    Shortcutter(std::size_t dimension, Cost cost, Configurations path);
     /// In the cost of a chain of ASVs.
-    Shortcutter(const Chain& chain, Rows path)
+    Shortcutter(const Chain& chain, Configurations path)
         : Shortcutter(chain.dimension(), MotionCost(chain), std::move(path)) {}
 
-    const Rows& path() const { return path_; }
+    const Configurations& path() const { return path_; }
     double cost() const { return cumulative_.back(); }
 
     /// One attempt with the places' distance up to the given share of the whole path.
@@ -61,12 +61,12 @@ class Shortcutter {
 
     std::size_t dimension_;
     Cost motion_cost_;
-    Rows path_;
+    Configurations path_;
     std::vector<double> cumulative_;
     Place first_{}, last_{};  ///< the places to be joined
     bool from_start_ = false, to_goal_ = false;
     std::vector<double> from_, to_;  ///< their configurations
-    Rows between_;                   ///< what leads from the first to the second
+    Configurations between_;         ///< what leads from the first to the second
 };
 
 }  // namespace asv::core

@@ -15,7 +15,7 @@ constexpr double shortfall = 1e-9;
 /// Walks along the rows; a place is a way point's index plus a fraction of the motion behind it.
 class Walk {
   public:
-    Walk(const Problem& problem, const Rows& rows, MotionChecker& checker)
+    Walk(const Problem& problem, const Configurations& rows, MotionChecker& checker)
         : problem_(problem),
           rows_(rows),
           checker_(checker),
@@ -122,7 +122,7 @@ class Walk {
     }
 
     const Problem& problem_;
-    const Rows& rows_;
+    const Configurations& rows_;
     MotionChecker& checker_;
     const Chain& chain_;
     double limit_;
@@ -135,7 +135,7 @@ class Walk {
 
 }  // namespace
 
-Path primitive_steps(const Problem& problem, const Rows& rows, MotionChecker& checker) {
+Path primitive_steps(const Problem& problem, const Configurations& rows, MotionChecker& checker) {
     return Walk(problem, rows, checker).run();
 }
 

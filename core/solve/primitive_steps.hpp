@@ -14,6 +14,6 @@ namespace asv::core {
 /// A step ends at a way point only where cutting past it cannot be proven valid.
 /// Precondition: rows lead from the start to the goal of the problem by proven motions of the
 /// checker's chain, which belongs to the problem.
-Path primitive_steps(const Problem& problem, const Rows& rows, MotionChecker& checker);
+Path primitive_steps(const Problem& problem, const Configurations& rows, MotionChecker& checker);
 
 }  // namespace asv::core

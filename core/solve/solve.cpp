@@ -181,10 +181,10 @@ class Solver {
 
     /// Every thread improves the path with draws of its own; the best one stays.
     void improve_path() {
-        const Rows first = rows_;
+        const Configurations first = rows_;
         double best = infinity;
         const auto improve_once = [&](std::size_t thread) {
-            Rows rows = improved(first, thread);
+            Configurations rows = improved(first, thread);
             const double cost = planning_->cost(rows);
             const std::lock_guard lock(mutex_);
             if (cost >= best) return;
@@ -197,7 +197,7 @@ class Solver {
         improve_once(0);
     }
 
-    Rows improved(const Rows& first, std::size_t thread) {
+    Configurations improved(const Configurations& first, std::size_t thread) {
         ImprovementOrder order;
         order.work = cheap_work + 1e6 * options_.optimize;
         order.other_paths = options_.optimize > 0;
@@ -209,7 +209,7 @@ class Solver {
         order.on_better = [&](double cost) { note_better(cost, thread == 0); };
         Rng rng(~seed_of(*winner_ + thread));
         Attempt spent;
-        Rows rows = planning_->improve(first, order, rng, spent);
+        Configurations rows = planning_->improve(first, order, rng, spent);
         const std::lock_guard lock(mutex_);
         result_.statistics.state_checks += spent.state_checks;
         result_.statistics.edge_checks += spent.edge_checks;
@@ -281,7 +281,7 @@ class Solver {
     std::optional<std::size_t> winner_;
     std::optional<std::string> infeasible_;
     Outcome failure_ = Outcome::deadline;
-    Rows rows_;
+    Configurations rows_;
     double last_report_ = 0;
     SolveResult result_;
 };

@@ -40,7 +40,7 @@ bool JointSpace::sample(Rng& rng, std::span<double> row) {
 }
 
 Steered JointSpace::steer(std::span<const double> from, std::span<const double> target,
-                          Rows& visited) {
+                          Configurations& visited) {
     world_.chain_row(from, from_);
     world_.chain_row(target, to_);
     const double step = world_.problem.requirements.max_step;

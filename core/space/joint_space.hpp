@@ -24,7 +24,8 @@ class JointSpace {
     double distance(std::span<const double> a, std::span<const double> b) const;
     bool sample(Rng& rng, std::span<double> row);
     /// Straight toward the target as far as that is proven.
-    Steered steer(std::span<const double> from, std::span<const double> target, Rows& visited);
+    Steered steer(std::span<const double> from, std::span<const double> target,
+                  Configurations& visited);
 
     bool from_unit_cube(std::span<const double> cube, std::span<double> row) const;
     double extent(std::size_t coordinate) const;

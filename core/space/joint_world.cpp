@@ -70,9 +70,9 @@ void JointWorld::chain_row(std::span<const double> row, std::span<double> out) c
     arm_configuration(*arm, problem.start[0], angles, out);
 }
 
-Rows JointWorld::chain_rows(const Rows& rows) const {
+Configurations JointWorld::chain_rows(const Configurations& rows) const {
     const std::size_t from = dimension(), to = chain.dimension();
-    Rows result(rows.size() / from * to);
+    Configurations result(rows.size() / from * to);
     for (std::size_t i = 0; i * from < rows.size(); ++i)
         chain_row({rows.data() + i * from, from}, {result.data() + i * to, to});
     return result;

@@ -36,7 +36,7 @@ class JointWorld {
     /// The chain's configuration; linear. Precondition: out has chain.dimension() numbers.
     void chain_row(std::span<const double> row, std::span<double> out) const;
     /// A whole path likewise.
-    Rows chain_rows(const Rows& rows) const;
+    Configurations chain_rows(const Configurations& rows) const;
     /// Is every coordinate that does not wrap within its limits?
     bool within_limits(std::span<const double> row) const;
 

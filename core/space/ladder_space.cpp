@@ -61,7 +61,7 @@ bool LadderSpace::draw(Rng& rng, bool any_turn, std::span<double> row) {
 }
 
 Steered LadderSpace::steer(std::span<const double> from, std::span<const double> target,
-                           Rows& visited) {
+                           Configurations& visited) {
     const std::size_t before = visited.size();
     std::copy(from.begin(), from.end(), row_.begin());
     for (int round = 0; round < max_rounds; ++round) {
@@ -73,7 +73,7 @@ Steered LadderSpace::steer(std::span<const double> from, std::span<const double>
 }
 
 /// Straight toward the target as far as that is proven; true when it is reached.
-bool LadderSpace::go(std::span<const double> target, Rows& visited) {
+bool LadderSpace::go(std::span<const double> target, Configurations& visited) {
     const double proven = checker_.valid_prefix(row_, target, options_.step);
     if (proven < 0) return false;
     for (std::size_t i = 0; i < row_.size(); ++i)
@@ -85,7 +85,7 @@ bool LadderSpace::go(std::span<const double> target, Rows& visited) {
 }
 
 /// Opens the angles between the brooms a little at a time until the way ahead is free for a step.
-bool LadderSpace::enlarge(std::span<const double> target, Rows& visited) {
+bool LadderSpace::enlarge(std::span<const double> target, Configurations& visited) {
     std::vector<double> opened(row_), ahead(row_.size());
     for (std::size_t attempt = 0; attempt < options_.enlarge_tries; ++attempt) {
         for (std::size_t i = 3; i < opened.size(); ++i) opened[i] *= 1 - options_.enlarge_share;
@@ -103,7 +103,7 @@ bool LadderSpace::enlarge(std::span<const double> target, Rows& visited) {
 }
 
 /// Moves in x alone, then in y alone, and so on, until both fail or the target's place is met.
-bool LadderSpace::climb_ladder(std::span<const double> target, Rows& visited) {
+bool LadderSpace::climb_ladder(std::span<const double> target, Configurations& visited) {
     bool climbed = false;
     for (bool moved = true; moved;) {
         moved = false;

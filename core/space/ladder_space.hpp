@@ -24,13 +24,14 @@ class LadderSpace : public StraightSpace {
     NearestNeighbours make_index() const { return {scales_, wrapping()}; }
     double distance(std::span<const double> a, std::span<const double> b) const;
     bool sample(Rng& rng, std::span<double> row);
-    Steered steer(std::span<const double> from, std::span<const double> target, Rows& visited);
+    Steered steer(std::span<const double> from, std::span<const double> target,
+                  Configurations& visited);
 
   private:
     bool draw(Rng& rng, bool any_turn, std::span<double> row);
-    bool go(std::span<const double> target, Rows& visited);
-    bool enlarge(std::span<const double> target, Rows& visited);
-    bool climb_ladder(std::span<const double> target, Rows& visited);
+    bool go(std::span<const double> target, Configurations& visited);
+    bool enlarge(std::span<const double> target, Configurations& visited);
+    bool climb_ladder(std::span<const double> target, Configurations& visited);
     double farthest_motion(std::span<const double> a, std::span<const double> b);
 
     LadderOptions options_;

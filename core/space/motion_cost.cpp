@@ -58,7 +58,7 @@ double MotionCost::operator()(std::span<const double> from, std::span<const doub
     return sum;
 }
 
-double MotionCost::path(const Rows& rows) {
+double MotionCost::path(const Configurations& rows) {
     const std::size_t d = chain_.dimension();
     double sum = 0;
     for (std::size_t i = d; i < rows.size(); i += d)

@@ -16,7 +16,7 @@ class MotionCost {
     double operator()(std::span<const double> from, std::span<const double> to);
 
     /// The cost of all motions of a path.
-    double path(const Rows& rows);
+    double path(const Configurations& rows);
 
   private:
     const Chain& chain_;

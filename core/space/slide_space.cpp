@@ -31,7 +31,7 @@ WrappingAngles SlideSpace::wrapping() const {
 }
 
 Steered SlideSpace::steer(std::span<const double> from, std::span<const double> target,
-                          Rows& visited) {
+                          Configurations& visited) {
     return steering_.slide(from, target, visited);
 }
 
@@ -72,7 +72,7 @@ geometry::Point SlideSpace::position(std::span<const double> row, std::size_t as
 }
 
 Steered SlideSpace::pull(std::span<const double> from, std::size_t asv,
-                         const geometry::Point& target, Rows& visited) {
+                         const geometry::Point& target, Configurations& visited) {
     return steering_.pull(from, asv, target, visited);
 }
 

@@ -29,7 +29,8 @@ class SlideSpace {
         return world_.metric.distance(a, b);
     }
     bool sample(Rng& rng, std::span<double> row) { return sampler_.sample(rng, row); }
-    Steered steer(std::span<const double> from, std::span<const double> target, Rows& visited);
+    Steered steer(std::span<const double> from, std::span<const double> target,
+                  Configurations& visited);
 
     /// A workspace point that is worth pulling an end of the chain to; passage_share of them by the
     /// bridge test. None when there is no free point to be found.
@@ -44,7 +45,7 @@ class SlideSpace {
     geometry::Point position(std::span<const double> row, std::size_t asv);
     std::size_t asv_count() const { return world_.chain.asv_count(); }
     Steered pull(std::span<const double> from, std::size_t asv, const geometry::Point& target,
-                 Rows& visited);
+                 Configurations& visited);
 
     MotionChecker& checker() { return checker_; }
     std::uint64_t constrained_steps() const { return steering_.steps(); }

@@ -40,7 +40,7 @@ WrappingAngles StraightSpace::wrapping() const {
 }
 
 Steered StraightSpace::steer(std::span<const double> from, std::span<const double> target,
-                             Rows& visited) {
+                             Configurations& visited) {
     const double proven = checker_.valid_prefix(from, target, resolution);
     if (proven < 1) {
         interpolate(from, target, std::max(proven, 0.0), next_);

@@ -40,7 +40,8 @@ class StraightSpace {
     /// By shape first, then a place (ShapeSampler).
     bool sample(Rng& rng, std::span<double> row) { return shapes_.sample(rng, row); }
     /// Straight, as far as it is proven valid.
-    Steered steer(std::span<const double> from, std::span<const double> target, Rows& visited);
+    Steered steer(std::span<const double> from, std::span<const double> target,
+                  Configurations& visited);
 
     bool from_unit_cube(std::span<const double> unit, std::span<double> row);
     double extent(std::size_t coordinate) const;

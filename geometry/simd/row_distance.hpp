@@ -5,7 +5,7 @@
 
 namespace asv::geometry::simd {
 
-/// Rows of a block.
+/// Configurations of a block.
 inline constexpr std::size_t block_rows = 16;
 
 /// A row to measure from, in single precision. A coordinate whose period is not 0 wraps: values

@@ -117,7 +117,7 @@ Row between(std::span<const double> a, std::span<const double> b, double t) {
     return row;
 }
 
-double along(const Chain& chain, const Rows& rows, int pieces,
+double along(const Chain& chain, const Configurations& rows, int pieces,
              const std::function<double(const Points& before, const Points& after)>& measure) {
     const std::size_t d = chain.dimension();
     double sum = 0;
@@ -133,7 +133,8 @@ double along(const Chain& chain, const Rows& rows, int pieces,
     return sum;
 }
 
-void wander(MotionChecker& checker, SlideSteering& steering, Rng& rng, int legs, Rows& path) {
+void wander(MotionChecker& checker, SlideSteering& steering, Rng& rng, int legs,
+            Configurations& path) {
     ShapeSampler sampler(checker);
     const std::size_t d = checker.chain().dimension();
     for (int leg = 0; leg < legs; ++leg) {

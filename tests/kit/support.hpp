@@ -67,11 +67,12 @@ Points positions_of(const Chain& chain, std::span<const double> row);
 Row between(std::span<const double> a, std::span<const double> b, double t);
 
 /// The sum of measure(positions before, positions after) over so many short pieces of each motion.
-double along(const Chain& chain, const Rows& rows, int pieces,
+double along(const Chain& chain, const Configurations& rows, int pieces,
              const std::function<double(const Points& before, const Points& after)>& measure);
 
 /// Lets the path go on from its last row by so many slides to random configurations.
-void wander(MotionChecker& checker, SlideSteering& steering, Rng& rng, int legs, Rows& path);
+void wander(MotionChecker& checker, SlideSteering& steering, Rng& rng, int legs,
+            Configurations& path);
 
 /// Row i of a block of rows.
 inline std::span<const double> nth(const std::vector<double>& rows, std::size_t dimension,

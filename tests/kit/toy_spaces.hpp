@@ -36,7 +36,8 @@ struct PointSpace {
         return free(row, row);
     }
     /// In strides of 0.05, as far as they are free.
-    Steered steer(std::span<const double> from, std::span<const double> target, Rows& visited) {
+    Steered steer(std::span<const double> from, std::span<const double> target,
+                  Configurations& visited) {
         steered.emplace_back(Row(from.begin(), from.end()), Row(target.begin(), target.end()));
         Row at(from.begin(), from.end());
         Steered outcome = Steered::trapped;
@@ -83,7 +84,8 @@ struct PointSpace {
         return Point{row[0], row[1]};
     }
     Point position(std::span<const double> row, std::size_t) const { return {row[0], row[1]}; }
-    Steered pull(std::span<const double> from, std::size_t, const Point& target, Rows& visited) {
+    Steered pull(std::span<const double> from, std::size_t, const Point& target,
+                 Configurations& visited) {
         ++pulls;
         return steer(from, Row{target.x, target.y}, visited);
     }
@@ -125,7 +127,8 @@ struct DialSpace {
         row[1] = rng.uniform(-4, 4);
         return true;
     }
-    Steered steer(std::span<const double> from, std::span<const double> target, Rows& visited) {
+    Steered steer(std::span<const double> from, std::span<const double> target,
+                  Configurations& visited) {
         const double turn = std::abs(target[1] - from[1]);
         const bool near = turn <= 1;
         const Row next = between(from, target, near ? 1 : 1 / turn);

@@ -56,9 +56,9 @@ class ChainBatch {
 
     std::size_t links() const { return scratch_.links.size(); }
 
-    /// Which of eight configurations keep all limits; a link that touches a box does not. Rows: x,
-    /// y, then the heading of every link in radians, not wrapped, |heading| < 2^20. Precondition:
-    /// rows.size() == links() + 2.
+    /// Which of eight configurations keep all limits; a link that touches a box does not.
+    /// Configurations: x, y, then the heading of every link in radians, not wrapped, |heading| <
+    /// 2^20. Precondition: rows.size() == links() + 2.
     LaneMask valid(std::span<const Pack> rows);
 
     /// Conservative: certified is never said of a stretch that holds an invalid configuration, and

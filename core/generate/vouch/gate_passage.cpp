@@ -13,7 +13,7 @@ namespace asv::core {
 namespace {
 
 using Row = ProvenMotions::Row;
-using Rows = ProvenMotions::Rows;
+using WayPoints = ProvenMotions::WayPoints;
 
 constexpr std::size_t max_obstacles = 64;
 constexpr std::uint64_t max_checks = 400'000;
@@ -45,7 +45,7 @@ std::optional<BentChain> bent_from_rail(ProvenMotions& motions, const GateRail& 
 }
 
 /// Appends the states on the rail up to an advance, as far apart as the proofs succeed.
-bool append_advance(ProvenMotions& motions, Rows& rows, const GateRail& rail,
+bool append_advance(ProvenMotions& motions, WayPoints& rows, const GateRail& rail,
                     const RailSpan& span) {
     double at = span.enter;
     double step = longest_advance;

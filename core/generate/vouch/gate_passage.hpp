@@ -11,7 +11,7 @@ namespace asv::core {
 struct GatePassage {
     std::uint32_t left;
     std::uint32_t right;
-    ProvenMotions::Rows way_points;
+    ProvenMotions::WayPoints way_points;
 
     /// The same way the other way round.
     void reverse();

@@ -57,21 +57,21 @@ std::optional<BentChain> ProvenMotions::bent_round(const Row& row) {
     return std::nullopt;
 }
 
-bool ProvenMotions::append(Rows& rows, Row next) {
+bool ProvenMotions::append(WayPoints& rows, Row next) {
     next[2] = nearest_turn(next[2], rows.back()[2]);
     if (!checker_.valid(rows.back(), next)) return false;
     rows.push_back(std::move(next));
     return true;
 }
 
-bool ProvenMotions::append_all(Rows& rows, const Rows& more) {
+bool ProvenMotions::append_all(WayPoints& rows, const WayPoints& more) {
     for (const Row& row : more) {
         if (!append(rows, row)) return false;
     }
     return true;
 }
 
-bool ProvenMotions::append_route(Rows& rows, std::uint32_t from, std::uint32_t to) {
+bool ProvenMotions::append_route(WayPoints& rows, std::uint32_t from, std::uint32_t to) {
     for (const Point& corner : map_.route(from, to)) {
         Row next = rows.back();
         next[0] = corner.x;

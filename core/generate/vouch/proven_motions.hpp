@@ -24,7 +24,7 @@ struct BentChain {
 class ProvenMotions {
   public:
     using Row = std::vector<double>;
-    using Rows = std::vector<Row>;
+    using WayPoints = std::vector<Row>;
 
     /// Precondition: start and goal are valid and counter-clockwise.
     explicit ProvenMotions(const Problem& problem);
@@ -51,11 +51,11 @@ class ProvenMotions {
 
     /// Appends a way point, turned by full turns to the last one's heading; false, and nothing
     /// appended, when the motion to it is not valid. Precondition: rows is not empty.
-    bool append(Rows& rows, Row next);
+    bool append(WayPoints& rows, Row next);
     /// Appends way points one after the other until one fails.
-    bool append_all(Rows& rows, const Rows& more);
+    bool append_all(WayPoints& rows, const WayPoints& more);
     /// Moves the round chain from one node to another of the same component.
-    bool append_route(Rows& rows, std::uint32_t from, std::uint32_t to);
+    bool append_route(WayPoints& rows, std::uint32_t from, std::uint32_t to);
 
   private:
     Problem problem_;

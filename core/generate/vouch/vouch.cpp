@@ -15,7 +15,7 @@ namespace asv::core {
 namespace {
 
 using Row = ProvenMotions::Row;
-using Rows = ProvenMotions::Rows;
+using WayPoints = ProvenMotions::WayPoints;
 
 /// The passages to take one after the other, from one component of the map to another, as few as
 /// possible, each in the right direction.
@@ -49,7 +49,7 @@ std::optional<std::vector<GatePassage>> passages_between(ProvenMotions& motions,
 
 /// Leads from the round chain at one node to that at another; how many passages it takes, or
 /// nothing where no way is found.
-std::optional<std::size_t> append_way(ProvenMotions& motions, Rows& rows, std::uint32_t from,
+std::optional<std::size_t> append_way(ProvenMotions& motions, WayPoints& rows, std::uint32_t from,
                                       std::uint32_t to) {
     const RoundMap& map = motions.map();
     std::vector<GatePassage> passages;
@@ -84,7 +84,7 @@ Verdict verdict_on(ProvenMotions& motions) {
     if (!first || !last)
         return unknown(std::string("the ") + (first ? "goal" : "start") +
                        " does not bend to a regular polygon nearby by one straight motion");
-    Rows rows = first->way_points;
+    WayPoints rows = first->way_points;
     const auto passages = append_way(motions, rows, first->node, last->node);
     if (!passages ||
         !motions.append_all(rows, {last->way_points.rbegin(), last->way_points.rend()}))

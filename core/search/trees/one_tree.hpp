@@ -27,8 +27,8 @@ std::uint32_t step_toward(Space& space, const Tree& tree, double step, std::span
 
 /// The rows of the nodes, each unwrapped to the one before.
 template <class Nodes>
-Rows rows_along(const Tree& tree, const Nodes& nodes, WrappingAngles angles) {
-    Rows rows;
+Configurations rows_along(const Tree& tree, const Nodes& nodes, WrappingAngles angles) {
+    Configurations rows;
     for (const std::uint32_t node : nodes) {
         const auto row = tree.row(node);
         rows.insert(rows.end(), row.begin(), row.end());
@@ -40,7 +40,7 @@ Rows rows_along(const Tree& tree, const Nodes& nodes, WrappingAngles angles) {
 }
 
 /// The path from the root to a node.
-inline Rows path_to(const Tree& tree, std::uint32_t node, WrappingAngles angles) {
+inline Configurations path_to(const Tree& tree, std::uint32_t node, WrappingAngles angles) {
     auto nodes = tree.to_root(node);
     std::reverse(nodes.begin(), nodes.end());
     return rows_along(tree, nodes, angles);

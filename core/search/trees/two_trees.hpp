@@ -47,7 +47,7 @@ class TwoTrees {
     }
 
     /// Adds rows one behind the other; returns the last node.
-    std::uint32_t add(int side, std::uint32_t parent, const Rows& rows) {
+    std::uint32_t add(int side, std::uint32_t parent, const Configurations& rows) {
         const std::size_t d = space_.dimension();
         for (std::size_t i = 0; i < rows.size(); i += d)
             parent = trees_[static_cast<std::size_t>(side)].add({rows.data() + i, d}, parent);
@@ -55,8 +55,8 @@ class TwoTrees {
     }
 
     /// The path from start to goal through two nodes, one of each tree, of one configuration.
-    Rows join(std::uint32_t in_start_tree, std::uint32_t in_goal_tree) const {
-        Rows path;
+    Configurations join(std::uint32_t in_start_tree, std::uint32_t in_goal_tree) const {
+        Configurations path;
         auto forward = trees_[0].to_root(in_start_tree);
         std::reverse(forward.begin(), forward.end());
         for (const auto node : forward) {
@@ -86,7 +86,7 @@ class TwoTrees {
     Space& space_;
     std::vector<Tree> trees_;
     std::vector<double> target_;
-    Rows visited_;
+    Configurations visited_;
 };
 
 }  // namespace asv::core

@@ -49,7 +49,7 @@ ElasticBand::ElasticBand(MotionChecker& checker, const Metric& metric)
       cost_(chain_),
       pose_(chain_.make_pose()) {}
 
-void ElasticBand::take(const Rows& path, double spacing) {
+void ElasticBand::take(const Configurations& path, double spacing) {
     path_.rows = resampled(path, metric_, spacing);
     spacing_ = spacing;
     damping_ = first_damping / spacing;
@@ -58,7 +58,7 @@ void ElasticBand::take(const Rows& path, double spacing) {
 
 double ElasticBand::tighten(const std::function<bool()>& stop) {
     if (path_.count() < 3) return 0;
-    const Rows before = path_.rows;
+    const Configurations before = path_.rows;
     proposed_.rows = path_.rows;
     if (!pull(stop) || !repair(stop)) {
         path_.rows = before;
@@ -148,11 +148,12 @@ void ElasticBand::advance(std::size_t i, std::span<const double> step) {
 
 /// Puts a way point into the middle of each motion that is not proven; false when there is none.
 bool ElasticBand::refine() {
-    Rows rows, proposed;
-    const auto copy = [](std::span<const double> row, Rows& out) {
+    Configurations rows, proposed;
+    const auto copy = [](std::span<const double> row, Configurations& out) {
         out.insert(out.end(), row.begin(), row.end());
     };
-    const auto copy_middle = [](std::span<const double> a, std::span<const double> b, Rows& out) {
+    const auto copy_middle = [](std::span<const double> a, std::span<const double> b,
+                                Configurations& out) {
         for (std::size_t k = 0; k < a.size(); ++k) out.push_back(0.5 * (a[k] + b[k]));
     };
     for (std::size_t i = 0; i < path_.count(); ++i) {
@@ -194,7 +195,7 @@ void ElasticBand::keep_valid() {
     }
 }
 
-Rows ElasticBand::path() {
+Configurations ElasticBand::path() {
     thin(std::numeric_limits<double>::infinity(), 1e-9);
     cost_now_ = cost_.path(path_.rows);
     return path_.rows;

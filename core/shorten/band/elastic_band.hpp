@@ -28,14 +28,14 @@ class ElasticBand {
 
     /// Takes a valid path, with way points put in so that no motion is longer than spacing (in the
     /// metric).
-    void take(const Rows& path, double spacing);
+    void take(const Configurations& path, double spacing);
 
     /// Pulls once, by some tens of steps; returns by how much the cost fell, 0 where it did not and
     /// the path is what it was. Gives up as soon as stop() says so, which is asked at every step.
     double tighten(const std::function<bool()>& stop);
 
     /// The path without the way points past which the straight motion is proven and costs no more.
-    Rows path();
+    Configurations path();
 
     /// How often a way point was moved by one step, so far.
     std::uint64_t way_point_steps() const { return way_point_steps_; }

@@ -2,9 +2,9 @@
 
 namespace asv::core {
 
-Rows resampled(const Rows& path, const Metric& metric, double spacing) {
+Configurations resampled(const Configurations& path, const Metric& metric, double spacing) {
     const std::size_t d = metric.dimension();
-    Rows rows(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(d));
+    Configurations rows(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(d));
     for (std::size_t i = d; i < path.size(); i += d) {
         const double* a = path.data() + i - d;
         const double* b = path.data() + i;

@@ -36,13 +36,13 @@ struct WayPoints {
     }
 
     const Chain& chain;
-    Rows rows;
+    Configurations rows;
     std::vector<Pose> poses, middles;
     std::vector<double> half_way;
 };
 
 /// The rows of a path with way points put in so that no motion is longer than spacing (in the
 /// metric).
-Rows resampled(const Rows& path, const Metric& metric, double spacing);
+Configurations resampled(const Configurations& path, const Metric& metric, double spacing);
 
 }  // namespace asv::core

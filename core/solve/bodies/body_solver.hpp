@@ -41,14 +41,14 @@ class BodySolver {
                            std::size_t racer) const = 0;
 
     /// The cost of a path of configurations; that of its steps may differ by some 0.1 %.
-    virtual double cost(const Rows& path) const = 0;
+    virtual double cost(const Configurations& path) const = 0;
 
     /// A path that costs no more. Adds the checks that it took to `spent`.
-    virtual Rows improve(const Rows& path, const ImprovementOrder& order, Rng& rng,
-                         Attempt& spent) const = 0;
+    virtual Configurations improve(const Configurations& path, const ImprovementOrder& order,
+                                   Rng& rng, Attempt& spent) const = 0;
 
     /// The path in primitive steps, in the plane of the problem.
-    virtual Path steps(const Rows& path) const = 0;
+    virtual Path steps(const Configurations& path) const = 0;
 
     /// Where the body is to be seen at each node of a tree: ASV 1, the tip of an arm, the point.
     virtual std::vector<Point> places(const Tree& tree) const = 0;

@@ -98,12 +98,12 @@ class ChainSolver : public BodySolver {
             [&](const auto& chosen) { return run(chosen, world_, limits, rng, told); }, planner);
     }
 
-    double cost(const Rows& path) const override {
+    double cost(const Configurations& path) const override {
         return unit_ * MotionCost(world_.chain).path(path);
     }
 
-    Rows improve(const Rows& path, const ImprovementOrder& order, Rng& rng,
-                 Attempt& spent) const override {
+    Configurations improve(const Configurations& path, const ImprovementOrder& order, Rng& rng,
+                           Attempt& spent) const override {
         const auto another = [&](Rng& draws) {
             Attempt attempt = search(order.search_limits, draws, {}, 0);
             spent.state_checks += attempt.state_checks;
@@ -120,15 +120,16 @@ class ChainSolver : public BodySolver {
         const auto* sliding = std::get_if<AutoPlanner>(&planner_);
         SlideSteering steering(checker, world_.metric,
                                sliding ? sliding->steering : SlideOptions{});
-        Rows rows = core::improve(path, checker, world_.metric, steering,
-                                  order.other_paths ? another : std::function<AnotherPath(Rng&)>{},
-                                  order.work, order.limits, rng, on_better);
+        Configurations rows =
+            core::improve(path, checker, world_.metric, steering,
+                          order.other_paths ? another : std::function<AnotherPath(Rng&)>{},
+                          order.work, order.limits, rng, on_better);
         spent.state_checks += checker.state_checks();
         spent.edge_checks += checker.motion_checks();
         return rows;
     }
 
-    Path steps(const Rows& path) const override {
+    Path steps(const Configurations& path) const override {
         MotionChecker checker = world_.make_checker();
         Path planned = primitive_steps(world_.problem, path, checker);
         if (unit_ != 1) planned = out_of_units(planned, unit_);

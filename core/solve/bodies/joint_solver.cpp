@@ -48,10 +48,12 @@ class JointSolver : public BodySolver {
             planner_);
     }
 
-    double cost(const Rows& path) const override { return path_cost(JointSpace(world_), path); }
+    double cost(const Configurations& path) const override {
+        return path_cost(JointSpace(world_), path);
+    }
 
-    Rows improve(const Rows& path, const ImprovementOrder& order, Rng& rng,
-                 Attempt& spent) const override {
+    Configurations improve(const Configurations& path, const ImprovementOrder& order, Rng& rng,
+                           Attempt& spent) const override {
         JointSpace space(world_);
         const auto another = [&](Rng& draws) {
             Attempt attempt = search(order.search_limits, draws, {}, 0);
@@ -62,15 +64,15 @@ class JointSolver : public BodySolver {
                 work_of_search +
                     joint_work_of(attempt.state_checks, attempt.edge_checks, world_.dimension())};
         };
-        Rows rows = improve_joints(path, space,
-                                   order.other_paths ? another : std::function<AnotherPath(Rng&)>{},
-                                   lower_bound(), order.work, order.limits, rng, order.on_better);
+        Configurations rows = improve_joints(
+            path, space, order.other_paths ? another : std::function<AnotherPath(Rng&)>{},
+            lower_bound(), order.work, order.limits, rng, order.on_better);
         spent.state_checks += space.state_checks();
         spent.edge_checks += space.motion_checks();
         return rows;
     }
 
-    Path steps(const Rows& path) const override {
+    Path steps(const Configurations& path) const override {
         MotionChecker checker = world_.make_checker();
         return primitive_steps(world_.problem, world_.chain_rows(path), checker);
     }

@@ -28,7 +28,7 @@ SlideSteering::SlideSteering(MotionChecker& checker, const Metric& metric,
 }
 
 Steered SlideSteering::slide(std::span<const double> from, std::span<const double> target,
-                             Rows& visited) {
+                             Configurations& visited) {
     std::copy(from.begin(), from.end(), row_.begin());
     Pace pace{options_.step, options_.margin};
     bool free_ahead = true;
@@ -60,7 +60,7 @@ Steered SlideSteering::slide(std::span<const double> from, std::span<const doubl
 }
 
 Steered SlideSteering::pull(std::span<const double> from, std::size_t asv,
-                            const geometry::Point& target, Rows& visited) {
+                            const geometry::Point& target, Configurations& visited) {
     std::copy(from.begin(), from.end(), row_.begin());
     Pace pace{options_.step, options_.margin};
     Steered outcome = Steered::trapped;
@@ -89,7 +89,7 @@ Steered SlideSteering::pull(std::span<const double> from, std::size_t asv,
 /// Takes the constrained step to next_ if it gains enough and is proven; where it is not, the pace
 /// is another one from now on.
 SlideSteering::StepTaken SlideSteering::take_step(double gained, double length, Pace& pace,
-                                                  Rows& visited) {
+                                                  Configurations& visited) {
     const auto retry = [](bool possible) { return possible ? StepTaken::no : StepTaken::stuck; };
     if (gained < options_.progress * length) return retry(tighten(pace));
     ++steps_;
@@ -111,7 +111,8 @@ bool SlideSteering::tighten(Pace& pace) const {
 }
 
 /// Follows the straight line as far as it is proven; true when that is all of it.
-bool SlideSteering::go_straight(std::span<const double> target, double distance, Rows& visited) {
+bool SlideSteering::go_straight(std::span<const double> target, double distance,
+                                Configurations& visited) {
     const double proven = checker_.valid_prefix(row_, target, options_.margin);
     const double free = proven >= 1 ? 1 : proven - options_.margin / distance;
     if (free * distance < options_.step && proven < 1) return false;
@@ -127,7 +128,7 @@ bool SlideSteering::go_straight(std::span<const double> target, double distance,
     return proven >= 1;
 }
 
-void SlideSteering::keep(Rows& visited) {
+void SlideSteering::keep(Configurations& visited) {
     visited.insert(visited.end(), next_.begin(), next_.end());
     row_.swap(next_);
 }

@@ -24,11 +24,12 @@ class SlideSteering {
     /// From a valid row toward a target row: straight as far as that is free, then by constrained
     /// steps, each the projection of the wanted one onto what is near. Appends to visited.
     /// Precondition: the headings of both are unwrapped alike.
-    Steered slide(std::span<const double> from, std::span<const double> target, Rows& visited);
+    Steered slide(std::span<const double> from, std::span<const double> target,
+                  Configurations& visited);
 
     /// Drags one ASV to a point of the plane with the least motion of the rest.
     Steered pull(std::span<const double> from, std::size_t asv, const geometry::Point& target,
-                 Rows& visited);
+                 Configurations& visited);
 
     std::uint64_t steps() const { return steps_; }
 
@@ -37,10 +38,10 @@ class SlideSteering {
         double step, margin;
     };
     enum class StepTaken { yes, no, stuck };
-    StepTaken take_step(double gained, double length, Pace& pace, Rows& visited);
+    StepTaken take_step(double gained, double length, Pace& pace, Configurations& visited);
     bool tighten(Pace& pace) const;
-    bool go_straight(std::span<const double> target, double distance, Rows& visited);
-    void keep(Rows& visited);
+    bool go_straight(std::span<const double> target, double distance, Configurations& visited);
+    void keep(Configurations& visited);
 
     MotionChecker& checker_;
     const Metric& metric_;

@@ -156,7 +156,7 @@ TEST(Rrt, GoesStraightWhereNothingIsInTheWay) {
     PointSpace space({});
     Rng rng(1);
     const SearchResult result = rrt(space, {start, goal}, {}, {}, rng);
-    EXPECT_EQ(result.path, (Rows{0.1, 0.1, 0.9, 0.1}));
+    EXPECT_EQ(result.path, (Configurations{0.1, 0.1, 0.9, 0.1}));
     EXPECT_EQ(result.trees[0].size(), 2U);
 }
 
@@ -202,7 +202,7 @@ TEST(RrtStar, CostsStayConsistentAndOnlyFallWhileRewiring) {
     });
 }
 
-double length(PointSpace& space, const Rows& path) {
+double length(PointSpace& space, const Configurations& path) {
     double sum = 0;
     for (std::size_t i = 1; i < path.size() / 2; ++i)
         sum += space.cost(nth(path, 2, i - 1), nth(path, 2, i));
@@ -248,7 +248,7 @@ TEST(RrtStar, EndsAtOnceWhereNothingIsShorter) {
     PointSpace space({});
     Rng rng(1);
     const SearchResult result = rrt_star(space, {start, goal}, {}, {}, rng);
-    EXPECT_EQ(result.path, (Rows{0.1, 0.1, 0.9, 0.1}));
+    EXPECT_EQ(result.path, (Configurations{0.1, 0.1, 0.9, 0.1}));
     EXPECT_EQ(result.iterations, 0U);
 }
 

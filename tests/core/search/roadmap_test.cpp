@@ -139,7 +139,7 @@ TEST(Prm, AsksTheRoadmapWithFewerSamplesAfterItsDraws) {
     const auto result = prm(space, {Row{0.1, 0.1}, Row{0.9, 0.1}}, options, {}, rng);
     EXPECT_EQ(result.outcome, Outcome::solved);
     EXPECT_EQ(result.iterations, 50U);
-    EXPECT_EQ(result.path, (Rows{0.1, 0.1, 0.9, 0.1}));
+    EXPECT_EQ(result.path, (Configurations{0.1, 0.1, 0.9, 0.1}));
 }
 
 TEST(Prm, JoinsNeighboursWithinTheRadiusOnly) {

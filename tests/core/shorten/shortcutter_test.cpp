@@ -23,7 +23,7 @@ using testing::Row;
 using testing::scaled;
 
 /// What the ASVs cover together, by very short chords.
-double way(const Chain& chain, const Rows& rows) {
+double way(const Chain& chain, const Configurations& rows) {
     return testing::along(chain, rows, 100, [](const Points& before, const Points& after) {
         double sum = 0;
         for (std::size_t j = 0; j < after.size(); ++j)
@@ -48,7 +48,7 @@ struct Wanderer {
         return problem;
     }
 
-    void expect_same_ends(const Rows& better) const {
+    void expect_same_ends(const Configurations& better) const {
         const std::size_t d = world.chain.dimension();
         ASSERT_GE(better.size(), d);
         for (std::size_t i = 0; i < d; ++i) {
@@ -60,13 +60,13 @@ struct Wanderer {
     ChainWorld world;
     MotionChecker checker;
     SlideSteering steering;
-    Rows path;
+    Configurations path;
 };
 
 TEST(MotionCost, IsTheWayOfAllAsvs) {
     for_seeds(30, [](Rng& rng) {
         const Chain chain(1 + rng.below(10), 0.05, Anchor::first_asv);
-        Rows rows;
+        Configurations rows;
         for (std::size_t i = 0; i < 3 * chain.dimension(); ++i) rows.push_back(rng.uniform(-2, 2));
         const double expected = way(chain, rows);
         ASSERT_NEAR(MotionCost(chain).path(rows), expected, 2e-3 * expected);
@@ -102,14 +102,14 @@ TEST(Shortcutter, KeepsEndsAndValidityAndGains) {
         Wanderer wanderer(rng, sizes[rng.below(3)], 4);
         if (wanderer.path.size() < 4 * wanderer.world.chain.dimension()) return;
         Shortcutter shortcutter(wanderer.world.chain, wanderer.path);
-        const Bridge straight = [&](auto from, auto to, Rows& rows) {
+        const Bridge straight = [&](auto from, auto to, Configurations& rows) {
             if (!wanderer.checker.valid(from, to)) return false;
             rows.assign(to.begin(), to.end());
             return true;
         };
         for (int i = 0; i < 60; ++i) {
             const double before = shortcutter.cost();
-            const Rows rows = shortcutter.path();
+            const Configurations rows = shortcutter.path();
             if (shortcutter.attempt(straight, 0.7, rng)) {
                 ASSERT_LT(shortcutter.cost(), before);
             } else {
@@ -134,7 +134,7 @@ TEST(Shortcutter, PartialShortcutsKeepEndsAndValidityAndGain) {
         const auto valid = [&](auto from, auto to) { return wanderer.checker.valid(from, to); };
         for (int i = 0; i < 60; ++i) {
             const double before = shortcutter.cost();
-            const Rows rows = shortcutter.path();
+            const Configurations rows = shortcutter.path();
             const std::size_t first = rng.below(d - 1), count = first == 0 ? 2 : 1;
             if (shortcutter.attempt_partial(first, count, valid, 0.7, rng)) {
                 ++gains;
@@ -150,20 +150,20 @@ TEST(Shortcutter, PartialShortcutsKeepEndsAndValidityAndGain) {
 }
 
 /// Bridges that are straight, in a plane without obstacles.
-bool straight_bridge(std::span<const double>, std::span<const double> to, Rows& between) {
+bool straight_bridge(std::span<const double>, std::span<const double> to, Configurations& between) {
     between.assign(to.begin(), to.end());
     return true;
 }
 
 TEST(Hybridise, TakesTheBetterHalfOfEach) {
     const ChainWorld world(testing::problem({{0.1, 0.5}}, {{0.9, 0.5}}), Anchor::centroid);
-    const Rows first_half_good{0.1, 0.5, 0.5, 0.5, 0.7, 0.9, 0.9, 0.5};
-    const Rows last_half_good{0.1, 0.5, 0.3, 0.1, 0.5, 0.5, 0.9, 0.5};
+    const Configurations first_half_good{0.1, 0.5, 0.5, 0.5, 0.7, 0.9, 0.9, 0.5};
+    const Configurations last_half_good{0.1, 0.5, 0.3, 0.1, 0.5, 0.5, 0.9, 0.5};
     MotionCost cost(world.chain);
     for (const bool swapped : {false, true}) {
-        const Rows best = hybridise(swapped ? last_half_good : first_half_good,
-                                    swapped ? first_half_good : last_half_good, world.metric, cost,
-                                    straight_bridge);
+        const Configurations best = hybridise(swapped ? last_half_good : first_half_good,
+                                              swapped ? first_half_good : last_half_good,
+                                              world.metric, cost, straight_bridge);
         EXPECT_NEAR(cost.path(best), 0.8, 1e-12);
         EXPECT_EQ(nth(best, 2, 0)[0], 0.1);
         EXPECT_EQ(best[best.size() - 2], 0.9);
@@ -172,24 +172,24 @@ TEST(Hybridise, TakesTheBetterHalfOfEach) {
 
 TEST(Hybridise, WithoutBridgesOrWithAnotherGoalThePathStays) {
     const ChainWorld world(testing::problem({{0.1, 0.5}}, {{0.9, 0.5}}), Anchor::centroid);
-    const Rows path{0.1, 0.5, 0.4, 0.6, 0.9, 0.5}, other{0.1, 0.5, 0.4, 0.9, 0.9, 0.5};
+    const Configurations path{0.1, 0.5, 0.4, 0.6, 0.9, 0.5}, other{0.1, 0.5, 0.4, 0.9, 0.9, 0.5};
     MotionCost cost(world.chain);
-    const Bridge none = [](auto, auto, Rows&) { return false; };
+    const Bridge none = [](auto, auto, Configurations&) { return false; };
     EXPECT_NEAR(cost.path(hybridise(path, other, world.metric, cost, none)), cost.path(path),
                 1e-12);
-    const Rows elsewhere{0.1, 0.5, 0.2, 0.5};
+    const Configurations elsewhere{0.1, 0.5, 0.2, 0.5};
     EXPECT_EQ(hybridise(path, elsewhere, world.metric, cost, straight_bridge), path);
 }
 
 TEST(Shortcutter, DetoursThatCostMoreAreNotTaken) {
     const Chain point(1, 0.05, Anchor::centroid);
-    const Rows bend{0, 0, 1, 0, 1, 1};
+    const Configurations bend{0, 0, 1, 0, 1, 1};
     Shortcutter shortcutter(point, bend);
-    const Bridge detour = [](auto, auto to, Rows& rows) {
+    const Bridge detour = [](auto, auto to, Configurations& rows) {
         rows = {-1, -1, to[0], to[1]};
         return true;
     };
-    const Bridge none = [](auto, auto, Rows&) { return false; };
+    const Bridge none = [](auto, auto, Configurations&) { return false; };
     Rng rng(1);
     for (int i = 0; i < 100; ++i) {
         EXPECT_FALSE(shortcutter.attempt(detour, 1, rng));
@@ -204,12 +204,13 @@ TEST(Improve, CostNeverGrowsAndThePathStaysValid) {
         const std::size_t sizes[] = {1, 3, 7, 15};
         Wanderer wanderer(rng, sizes[rng.below(4)], 4);
         double last = MotionCost(wanderer.world.chain).path(wanderer.path);
-        const Rows better = improve(wanderer.path, wanderer.checker, wanderer.world.metric,
-                                    wanderer.steering, {}, 2e5, {}, rng, [&](double found) {
-                                        EXPECT_LT(found, last);
-                                        last = found;
-                                        ++gains;
-                                    });
+        const Configurations better =
+            improve(wanderer.path, wanderer.checker, wanderer.world.metric, wanderer.steering, {},
+                    2e5, {}, rng, [&](double found) {
+                        EXPECT_LT(found, last);
+                        last = found;
+                        ++gains;
+                    });
         EXPECT_NEAR(MotionCost(wanderer.world.chain).path(better), last, 1e-9);
         wanderer.expect_same_ends(better);
         Oracle(wanderer.world).expect_valid_path(better);
@@ -256,7 +257,7 @@ TEST(Improve, SearchesThatCountNothingComeToAnEnd) {
         ++searches;
         return AnotherPath{wanderer.path, 0};
     };
-    const Rows still(
+    const Configurations still(
         wanderer.path.begin(),
         wanderer.path.begin() + static_cast<std::ptrdiff_t>(wanderer.world.chain.dimension()));
     improve(still, wanderer.checker, wanderer.world.metric, wanderer.steering, another, 1e4, {},
@@ -273,7 +274,7 @@ TEST(Improve, APathThatStaysWhereItIs) {
     EXPECT_EQ(improve(wanderer.path, wanderer.checker, wanderer.world.metric, wanderer.steering, {},
                       1e4, {}, rng),
               wanderer.path);
-    Rows twice(wanderer.path);
+    Configurations twice(wanderer.path);
     twice.insert(twice.end(), wanderer.path.begin(), wanderer.path.end());
     EXPECT_EQ(improve(twice, wanderer.checker, wanderer.world.metric, wanderer.steering, {}, 1e4,
                       {}, rng),

@@ -22,7 +22,7 @@ using testing::ring;
 using testing::Row;
 using testing::scaled;
 
-Path steps_of(const Problem& problem, const Rows& rows) {
+Path steps_of(const Problem& problem, const Configurations& rows) {
     const ChainWorld world(problem, Anchor::centroid);
     MotionChecker checker = world.make_checker();
     return primitive_steps(world.problem, rows, checker);
@@ -52,7 +52,7 @@ void expect_steps_of(const Problem& problem, const Path& path) {
 }
 
 /// The integral of the fastest ASV's speed along the rows, by chords.
-double fastest_way(const Chain& chain, const Rows& rows) {
+double fastest_way(const Chain& chain, const Configurations& rows) {
     return testing::along(chain, rows, 200, farthest);
 }
 
@@ -61,7 +61,7 @@ TEST(PrimitiveSteps, AStraightWayTakesNoStepTooMany) {
         const Points start = ring(n, {0.2, 0.2}, 0);
         const Problem problem = testing::problem(start, moved(start, 0.3, 0.4));
         const ChainWorld world(problem, Anchor::centroid);
-        Rows rows(world.start);
+        Configurations rows(world.start);
         rows.insert(rows.end(), world.goal.begin(), world.goal.end());
         const Path path = steps_of(problem, rows);
         expect_steps_of(problem, path);
@@ -98,7 +98,7 @@ struct SlidePath {
         problem.goal = testing::positions_of(world.chain, nth(rows, d, rows.size() / d - 1));
     }
     Problem problem;
-    Rows rows;
+    Configurations rows;
 };
 
 /// A point goes round the corner of a box, or over where it would be.

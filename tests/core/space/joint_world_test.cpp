@@ -156,7 +156,7 @@ TEST(JointSpace, APointMustNotTouchObstacles) {
     EXPECT_TRUE(space.valid(Row{0.5, 0.1}));
     EXPECT_FALSE(space.motion_valid(world.start, world.goal));
     EXPECT_TRUE(space.motion_valid(world.start, Row{0.3, 0.9}));
-    Rows visited;
+    Configurations visited;
     EXPECT_EQ(space.steer(world.start, world.goal, visited), Steered::advanced);
     ASSERT_EQ(visited.size(), 2U);
     EXPECT_NEAR(visited[0], 0.4, 0.0021);

@@ -40,7 +40,7 @@ struct UnderACeiling {
         LadderSpace space(world, options);
         visited.clear();
         const Steered outcome = space.steer(world.start, target, visited);
-        Rows rows(world.start);
+        Configurations rows(world.start);
         rows.insert(rows.end(), visited.begin(), visited.end());
         Oracle(world).expect_valid_path(rows);
         return outcome;
@@ -48,7 +48,7 @@ struct UnderACeiling {
 
     Points shape;
     ChainWorld world;
-    Rows visited;
+    Configurations visited;
 };
 
 TEST(LadderSpace, LadderMovesWhereTheStraightWayIsBlocked) {
@@ -97,7 +97,7 @@ TEST(LadderSpace, EveryMotionIsValid) {
         Row target(world.goal);
         if (!space.sample(rng, target)) return;
         unwrap(target, world.start, space.wrapping());
-        Rows rows;
+        Configurations rows;
         const Steered outcome = space.steer(world.start, target, rows);
         ASSERT_EQ(outcome == Steered::trapped, rows.empty());
         if (outcome == Steered::reached) {

@@ -34,7 +34,7 @@ TEST(Scene, IsTheGoldenOneForASmallProblem) {
                     3,
                     {{"start", {{0.1, 0.3}, {0.2, 0.4}}, {-1, 0}}, {"goal", {{0.5, 0.3}}, {-1}}},
                     {}};
-    std::ifstream file(std::string(ASV_SOURCE_DIR) + "/tests/io/golden/scene.txt");
+    std::ifstream file(std::string(ASV_SOURCE_DIR) + "/tests/io/drawing/golden/scene.txt");
     std::stringstream golden;
     golden << file.rdbuf();
     EXPECT_EQ(outline(make_scene(make_exhibit(std::move(input)))), golden.str());

@@ -202,7 +202,7 @@ struct SlidPath {
     }
     ChainWorld world;
     MotionChecker checker;
-    Rows rows;
+    Configurations rows;
 };
 
 TEST(ElasticBand, GainsAndKeepsEndsAndValidity) {
@@ -219,7 +219,7 @@ TEST(ElasticBand, GainsAndKeepsEndsAndValidity) {
         for (int i = 0; i < 4; ++i) {
             const double gained = band.tighten(never);
             ASSERT_GE(gained, 0);
-            const Rows path = band.path();
+            const Configurations path = band.path();
             Oracle(made.world).expect_valid_path(path, 20);
             ASSERT_LE(cost.path(path), (now - gained) * (1 + 1e-6));
             now = cost.path(path);
@@ -243,7 +243,7 @@ TEST(ElasticBand, WithoutObstaclesAllGoStraight) {
         Row aside(world.start);
         aside[0] = rng.uniform(0.3, 0.7);
         aside[1] = rng.uniform(0.3, 0.7);
-        Rows rows(world.start);
+        Configurations rows(world.start);
         ASSERT_EQ(steering.slide(world.start, aside, rows), Steered::reached);
         ASSERT_EQ(steering.slide(aside, world.goal, rows), Steered::reached);
         ElasticBand band(checker, world.metric);
@@ -258,7 +258,7 @@ TEST(ElasticBand, StopsWhenToldAndLeavesThePath) {
     SlidPath made(rng, 7);
     ElasticBand band(made.checker, made.world.metric);
     band.take(made.rows, 0.05);
-    const Rows untouched = band.path();
+    const Configurations untouched = band.path();
     band.take(made.rows, 0.05);
     EXPECT_EQ(band.tighten([] { return true; }), 0);
     EXPECT_EQ(band.path(), untouched);

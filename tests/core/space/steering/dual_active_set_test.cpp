@@ -117,7 +117,7 @@ Row random_row(Rng& rng, std::size_t dimension) {
     return row;
 }
 
-/// Rows that some point meets; some of them parallel, or the same.
+/// Configurations that some point meets; some of them parallel, or the same.
 Program feasible_program(Rng& rng) {
     const std::size_t d = 1 + rng.below(5);
     Program program{random_row(rng, d), {}};

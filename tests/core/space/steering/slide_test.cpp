@@ -26,17 +26,19 @@ struct Slider {
           steering(checker, world.metric, options),
           oracle(world) {}
 
-    Row last(const Rows& visited) const {
+    Row last(const Configurations& visited) const {
         return {visited.end() - static_cast<std::ptrdiff_t>(world.chain.dimension()),
                 visited.end()};
     }
     /// The rows with the one they begin at.
-    Rows whole(const Row& from, const Rows& visited) const {
-        Rows rows(from.begin(), from.end());
+    Configurations whole(const Row& from, const Configurations& visited) const {
+        Configurations rows(from.begin(), from.end());
         rows.insert(rows.end(), visited.begin(), visited.end());
         return rows;
     }
-    std::size_t count(const Rows& rows) const { return rows.size() / world.chain.dimension(); }
+    std::size_t count(const Configurations& rows) const {
+        return rows.size() / world.chain.dimension();
+    }
     Point position(std::span<const double> row, std::size_t asv) const {
         return testing::positions_of(world.chain, row)[asv];
     }
@@ -68,14 +70,14 @@ TEST(Slide, EveryMotionIsValidAndComesNearer) {
         Row from(slider.world.start), to(slider.world.goal);
         if (!sampler.sample(rng, from) || !sampler.sample(rng, to)) return;
         unwrap(to, from, WrappingAngles{2, to.size() > 2 ? 1U : 0U});
-        Rows visited;
+        Configurations visited;
         const Steered outcome = slider.steering.slide(from, to, visited);
         ++outcomes[static_cast<std::size_t>(outcome)];
         ASSERT_EQ(outcome == Steered::trapped, visited.empty());
         if (outcome == Steered::reached) {
             ASSERT_EQ(slider.last(visited), to);
         }
-        const Rows rows = slider.whole(from, visited);
+        const Configurations rows = slider.whole(from, visited);
         slider.oracle.expect_valid_path(rows);
         double distance = slider.world.metric.distance(from, to) * (1 + 1e-9);
         for (std::size_t i = 1; i < slider.count(rows); ++i) {
@@ -91,7 +93,7 @@ TEST(Slide, EveryMotionIsValidAndComesNearer) {
 TEST(Slide, RoundsACornerThatBlocksTheStraightMotion) {
     for (const std::size_t n : {1U, 3U, 7U, 15U}) {
         SCOPED_TRACE(std::to_string(n) + " ASVs");
-        Rows visited;
+        Configurations visited;
         SlideOptions straight;
         straight.slide = false;
         Slider stops(tower(n), straight);
@@ -116,14 +118,14 @@ TEST(Slide, StartingInContactItSlidesOff) {
     for (const Point& p : problem.start) right = std::max(right, p.x);
     problem.obstacles[0].low.x = right;
     Slider slider(problem);
-    Rows visited;
+    Configurations visited;
     EXPECT_EQ(slider.steering.slide(slider.world.start, slider.world.goal, visited),
               Steered::reached);
 }
 
 TEST(Slide, ATargetThatIsThereIsReachedAtOnce) {
     Slider slider(tower(3));
-    Rows visited;
+    Configurations visited;
     EXPECT_EQ(slider.steering.slide(slider.world.start, slider.world.start, visited),
               Steered::reached);
 }
@@ -137,10 +139,10 @@ TEST(Pull, BringsTheEndNearer) {
         const std::size_t asv = rng.chance(0.5) ? 0 : n - 1;
         const Row& from = slider.world.start;
         const Point target{rng.uniform(), rng.uniform()};
-        Rows visited;
+        Configurations visited;
         const Steered outcome = slider.steering.pull(from, asv, target, visited);
         ASSERT_EQ(outcome == Steered::trapped, visited.empty());
-        const Rows rows = slider.whole(from, visited);
+        const Configurations rows = slider.whole(from, visited);
         slider.oracle.expect_valid_path(rows);
         double distance = 2;
         for (std::size_t i = 0; i < slider.count(rows); ++i) {
@@ -163,7 +165,7 @@ TEST(Pull, TheRestMovesLittle) {
     Slider slider(testing::problem(ring(7, {0.3, 0.5}, 0), ring(7, {0.7, 0.5}, 0)));
     const Row& from = slider.world.start;
     const Point at = slider.position(from, 0);
-    Rows visited;
+    Configurations visited;
     const Steered outcome = slider.steering.pull(from, 0, {at.x - 0.01, at.y - 0.01}, visited);
     ASSERT_EQ(outcome, Steered::reached);
     // Moving the whole chain there would be 0.0141 in the metric.
