@@ -32,4 +32,14 @@ struct Limits {
     }
 };
 
+/// The one place in which a search is watched: tells the observer, then says whether a limit is
+/// reached, and notes in the result which.
+inline bool must_end(const Progress& progress, const Limits& limits, const Observer& observer,
+                     SearchResult& result) {
+    if (observer) observer(progress);
+    const std::optional<Outcome> reason = limits.reached(progress);
+    if (reason) result.outcome = *reason;
+    return reason.has_value();
+}
+
 }  // namespace asv::core

@@ -79,12 +79,8 @@ SearchResult prm(Space& space, const Query& query, const PrmOptions& options, co
     std::vector<double> row(space.dimension());
     /// Adds one sample if its draw succeeds; false when the limits are reached.
     const auto sample = [&] {
-        const Progress progress{result.iterations, {roadmap.size(), 0}};
-        if (observer) observer(progress);
-        if (const auto reason = limits.reached(progress)) {
-            result.outcome = *reason;
+        if (must_end({result.iterations, {roadmap.size(), 0}}, limits, observer, result))
             return false;
-        }
         ++result.iterations;
         if (space.sample(rng, row)) connect(space, roadmap, row, options);
         return true;

@@ -33,12 +33,7 @@ SearchResult rrt(Space& space, const Query& query, const RrtOptions& options, co
     to_goal(newest);
     bool met = space.motion_valid(query.start, row);
     while (!met) {
-        const Progress progress{result.iterations, {tree.size(), 0}};
-        if (observer) observer(progress);
-        if (const auto reason = limits.reached(progress)) {
-            result.outcome = *reason;
-            break;
-        }
+        if (must_end({result.iterations, {tree.size(), 0}}, limits, observer, result)) break;
         ++result.iterations;
         if (rng.chance(options.goal_bias))
             std::copy(query.goal.begin(), query.goal.end(), row.begin());

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/search/configuration_space.hpp"
@@ -23,6 +25,92 @@ struct RrtConnectOptions {
                                        GrowthOrder::goal_then_start};
 };
 
+/// One search of rrt_connect(): the trees, and the steps of the algorithm by their names.
+template <ConfigurationSpace Space, class Policy>
+class RrtConnect {
+  public:
+    RrtConnect(Space& space, const Query& query, const RrtConnectOptions& options, Rng& rng,
+               Policy extensions)
+        : space_(space),
+          options_(options),
+          rng_(rng),
+          extensions_(std::move(extensions)),
+          trees_(space, query),
+          sample_(query.goal.begin(), query.goal.end()) {}
+
+    SearchResult search(const Limits& limits, const Observer& observer) {
+        SearchResult result;
+        bool met = connect_directly();
+        while (!met) {
+            if (must_end(trees_.progress(result.iterations), limits, observer, result)) break;
+            if (result.iterations++ > 0 && extensions_.swaps()) ++turn_;
+            const GrowthOrder order = options_.orders[turn_ % options_.orders.size()];
+            const int first = order == GrowthOrder::goal_then_start ? goal_tree : start_tree;
+            if (!extensions_.draw(space_, trees_, first, rng_, sample_)) continue;
+            met = order == GrowthOrder::both_to_sample ? meet_at_sample() : chase(first);
+        }
+        if (met) result.outcome = Outcome::solved;
+        result.path = std::move(path_);
+        result.trees = trees_.release();
+        return result;
+    }
+
+  private:
+    using Growth = typename TwoTrees<Space>::Growth;
+    static constexpr int start_tree = 0, goal_tree = 1;
+    static constexpr std::uint32_t root = 0;
+
+    /// The straight way from the start to the goal comes first.
+    bool connect_directly() {
+        const Growth growth = trees_.grow(start_tree, sample_);
+        return growth.outcome == Steered::reached && join(start_tree, growth.last, root);
+    }
+
+    /// CONNECT of the paper: extends a tree from its nearest node until the target is reached or
+    /// the way is blocked.
+    Growth connect(int side, std::span<const double> target) {
+        const std::uint32_t from = extensions_.nearest(trees_[side], side, target);
+        const Growth growth = trees_.grow(side, from, target);
+        extensions_.grown(space_, trees_[side], side, from, growth.outcome, growth.last);
+        return growth;
+    }
+
+    /// Both trees grow to the sample.
+    bool meet_at_sample() {
+        const Growth one = connect(start_tree, sample_);
+        const Growth other = connect(goal_tree, sample_);
+        const bool both = one.outcome == Steered::reached && other.outcome == Steered::reached;
+        return both && join(start_tree, one.last, other.last);
+    }
+
+    /// One tree grows to the sample, the other one to where that came.
+    bool chase(int first) {
+        const Growth grown = connect(first, sample_);
+        if (grown.outcome == Steered::trapped) return false;
+        // A copy, since growing the other tree must not depend on where rows of this one lie.
+        const auto row = trees_[first].row(grown.last);
+        const std::vector<double> target(row.begin(), row.end());
+        const Growth answer = connect(1 - first, target);
+        return answer.outcome == Steered::reached && join(first, grown.last, answer.last);
+    }
+
+    /// The trees have met at two nodes of one configuration.
+    bool join(int side, std::uint32_t node, std::uint32_t in_other_tree) {
+        path_ = side == start_tree ? trees_.join(node, in_other_tree)
+                                   : trees_.join(in_other_tree, node);
+        return true;
+    }
+
+    Space& space_;
+    const RrtConnectOptions& options_;
+    Rng& rng_;
+    Policy extensions_;
+    TwoTrees<Space> trees_;
+    std::size_t turn_ = 0;
+    std::vector<double> sample_;
+    Configurations path_;
+};
+
 /// RRT-Connect (Kuffner and LaValle, 2000): two trees, each extended by steering until it is
 /// reached or blocked, until they meet. Extensions take part in drawing the sample, in choosing the
 /// node to grow from and in when the next order has its turn.
@@ -30,50 +118,8 @@ template <ConfigurationSpace Space, class Policy = NoExtensions>
 SearchResult rrt_connect(Space& space, const Query& query, const RrtConnectOptions& options,
                          const Limits& limits, Rng& rng, const Observer& observer = {},
                          Policy extensions = {}) {
-    TwoTrees<Space> trees(space, query);
-    SearchResult result;
-    std::vector<double> sample(query.goal.begin(), query.goal.end());
-
-    const auto grow = [&](int side, std::span<const double> target) {
-        const std::uint32_t from = extensions.nearest(trees[side], side, target);
-        const auto growth = trees.grow(side, from, target);
-        extensions.grown(space, trees[side], side, from, growth.outcome, growth.last);
-        return growth;
-    };
-    const auto meet = [&](int first, std::span<const double> target, bool chase) {
-        const auto grown = grow(first, target);
-        if (chase && grown.outcome == Steered::trapped) return false;
-        // A copy, since growing the other tree must not depend on where rows of this one lie.
-        const auto row = trees[first].row(grown.last);
-        const std::vector<double> met(row.begin(), row.end());
-        const auto answer = grow(1 - first, chase ? std::span<const double>(met) : target);
-        const bool both = chase || grown.outcome == Steered::reached;
-        if (!both || answer.outcome != Steered::reached) return false;
-        result.path =
-            first == 0 ? trees.join(grown.last, answer.last) : trees.join(answer.last, grown.last);
-        return true;
-    };
-
-    std::size_t turn = 0;
-    const auto direct = trees.grow(0, query.goal);
-    bool met = direct.outcome == Steered::reached;
-    if (met) result.path = trees.join(direct.last, 0);
-    while (!met) {
-        const Progress progress = trees.progress(result.iterations);
-        if (observer) observer(progress);
-        if (const auto reason = limits.reached(progress)) {
-            result.outcome = *reason;
-            break;
-        }
-        if (result.iterations++ > 0 && extensions.swaps()) ++turn;
-        const GrowthOrder order = options.orders[turn % options.orders.size()];
-        const int first = order == GrowthOrder::goal_then_start ? 1 : 0;
-        if (extensions.draw(space, trees, first, rng, sample))
-            met = meet(first, sample, order != GrowthOrder::both_to_sample);
-    }
-    if (met) result.outcome = Outcome::solved;
-    result.trees = trees.release();
-    return result;
+    return RrtConnect<Space, Policy>(space, query, options, rng, std::move(extensions))
+        .search(limits, observer);
 }
 
 }  // namespace asv::core

@@ -145,19 +145,14 @@ SearchResult rrt_star(Space& space, const Query& query, const RrtStarOptions& op
         const bool near = node == 0 || space.distance(tree.row(node), row) <= options.step;
         if (near && space.motion_valid(tree.row(node), row)) goal = star.insert(row, node);
     };
-    const double least = space.cost_lower_bound(query.start, query.goal) * (1 + 1e-9);
+    const double cheapest = space.cost_lower_bound(query.start, query.goal) * (1 + 1e-9);
 
     reach_for_goal(0);
     while (true) {
         Progress progress{result.iterations, {tree.size(), 0}};
         if (goal != Tree::none) progress.cost = tree.cost(goal);
-        if (observer) observer(progress);
-        if (progress.cost <= least) break;
+        if (must_end(progress, limits, observer, result) || progress.cost <= cheapest) break;
         if (goal != Tree::none && tree.size() >= options.nodes) break;
-        if (const auto reason = limits.reached(progress)) {
-            result.outcome = *reason;
-            break;
-        }
         ++result.iterations;
         if (goal == Tree::none && rng.chance(options.goal_bias))
             std::copy(query.goal.begin(), query.goal.end(), row.begin());

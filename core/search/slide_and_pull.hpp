@@ -46,6 +46,147 @@ concept PullableSpace = ConfigurationSpace<Space> &&
 /// Iterations before the shortest way is looked for: easy problems are solved by then.
 inline constexpr std::size_t unguided_iterations = 20;
 
+/// One search of slide_and_pull(): the trees, and the steps of the algorithm by their names.
+template <PullableSpace Space>
+class SlideAndPull {
+  public:
+    SlideAndPull(Space& space, const Query& query, const SlideAndPullOptions& options, Rng& rng)
+        : space_(space),
+          options_(options),
+          rng_(rng),
+          trees_(space, query),
+          target_(query.goal.begin(), query.goal.end()) {}
+
+    SearchResult search(const Limits& limits, const Observer& observer) {
+        SearchResult result;
+        bool met = connect(goal_tree, root);
+        while (!met) {
+            if (must_end(trees_.progress(result.iterations), limits, observer, result)) break;
+            ++result.iterations;
+            if (result.iterations == unguided_iterations) look_for_guide();
+            const int side = smaller_tree();
+            const std::optional<std::uint32_t> node = grow(side);
+            met = node && connect(side, *node);
+        }
+        if (met) result.outcome = Outcome::solved;
+        result.path = std::move(path_);
+        result.trees = trees_.release();
+        return result;
+    }
+
+  private:
+    /// The newest node, where a tree has grown at all.
+    using Grown = std::optional<std::uint32_t>;
+    static constexpr int start_tree = 0, goal_tree = 1;
+    static constexpr std::uint32_t root = 0;
+
+    int smaller_tree() const {
+        return trees_[start_tree].size() <= trees_[goal_tree].size() ? start_tree : goal_tree;
+    }
+
+    Grown grow(int side) {
+        if (rng_.chance(guided_share(side))) return advance(side);
+        return rng_.chance(options_.pull_share) ? pull(side) : extend(side);
+    }
+
+    /// Steers toward a sample.
+    Grown extend(int side) {
+        if (!space_.sample(rng_, target_)) return std::nullopt;
+        return steer_to_target(side);
+    }
+
+    /// Drags an end of a node that is near a point of the plane to that point.
+    Grown pull(int side) {
+        const auto point = space_.pull_target(rng_, options_.passage_share);
+        if (!point) return std::nullopt;
+        const std::size_t end = draw_end();
+        return drag(side, nearest_of_some(side, end, *point), end, *point);
+    }
+
+    /// Grows the tree where it has come farthest on the shortest way through the plane.
+    Grown advance(int side) {
+        RegionBias& bias = guide_[static_cast<std::size_t>(side)];
+        bias.follow(trees_[side],
+                    [&](auto row) { return space_.position(row, space_.asv_count() / 2); });
+        const std::size_t region = bias.region(rng_);
+        const geometry::Point& ahead = bias.ahead(region, rng_);
+        if (rng_.chance(options_.pull_share)) {
+            const std::uint32_t node = bias.node_at(region, rng_);
+            return drag(side, node, draw_end(), ahead);
+        }
+        if (!space_.sample_near(rng_, ahead, target_)) return std::nullopt;
+        return steer_to_target(side);
+    }
+
+    /// Lets the other tree reach for a node. True when they meet.
+    bool connect(int side, std::uint32_t node) {
+        const auto row = trees_[side].row(node);
+        target_.assign(row.begin(), row.end());
+        const auto growth = trees_.grow(1 - side, target_);
+        if (growth.outcome != Steered::reached) return false;
+        path_ =
+            side == start_tree ? trees_.join(node, growth.last) : trees_.join(growth.last, node);
+        return true;
+    }
+
+    Grown steer_to_target(int side) {
+        const auto growth = trees_.grow(side, target_);
+        if (growth.outcome == Steered::trapped) return std::nullopt;
+        return growth.last;
+    }
+
+    Grown drag(int side, std::uint32_t node, std::size_t end, const geometry::Point& point) {
+        visited_.clear();
+        if (space_.pull(trees_[side].row(node), end, point, visited_) == Steered::trapped)
+            return std::nullopt;
+        return trees_.add(side, node, visited_);
+    }
+
+    /// The first or the last ASV.
+    std::size_t draw_end() { return rng_.chance(0.5) ? 0 : space_.asv_count() - 1; }
+
+    /// Of some random nodes, the one whose end of the chain is nearest to the point.
+    std::uint32_t nearest_of_some(int side, std::size_t end, const geometry::Point& point) {
+        const Tree& tree = trees_[side];
+        std::uint32_t nearest = root;
+        double shortest = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < options_.pull_candidates; ++i) {
+            const auto node = static_cast<std::uint32_t>(rng_.below(tree.size()));
+            const geometry::Point at = space_.position(tree.row(node), end);
+            const double distance = std::hypot(at.x - point.x, at.y - point.y);
+            if (distance >= shortest) continue;
+            shortest = distance;
+            nearest = node;
+        }
+        return nearest;
+    }
+
+    void look_for_guide() {
+        if (!(options_.guide_share > 0)) return;
+        auto stops = space_.guide();
+        if (stops.empty()) return;
+        guide_.emplace_back(stops);
+        std::reverse(stops.begin(), stops.end());
+        guide_.emplace_back(std::move(stops));
+    }
+
+    /// Share of the iterations that are guided: less the longer that has been in vain.
+    double guided_share(int side) const {
+        if (guide_.empty()) return 0;
+        const auto in_vain = static_cast<double>(guide_[static_cast<std::size_t>(side)].in_vain());
+        return options_.guide_share * options_.guide_patience / (options_.guide_patience + in_vain);
+    }
+
+    Space& space_;
+    const SlideAndPullOptions& options_;
+    Rng& rng_;
+    TwoTrees<Space> trees_;
+    std::vector<RegionBias> guide_;  ///< of both trees, once there is a way
+    Configurations path_;            ///< once the trees have met
+    std::vector<double> target_;
+    Configurations visited_;
+};
+
 /// The planner that is on by default: two trees, the smaller one grows, by steering toward a sample
 /// (RRT-Connect with sliding) or by dragging one end of the chain to a point of the plane, which is
 /// what gets the head of a long chain into the mouth of a corridor; the other tree then tries to
@@ -54,104 +195,7 @@ inline constexpr std::size_t unguided_iterations = 20;
 template <PullableSpace Space>
 SearchResult slide_and_pull(Space& space, const Query& query, const SlideAndPullOptions& options,
                             const Limits& limits, Rng& rng, const Observer& observer = {}) {
-    TwoTrees<Space> trees(space, query);
-    SearchResult result;
-    std::vector<double> target(query.goal.begin(), query.goal.end());
-    Configurations visited;
-
-    // What grows a tree gives the new node, if it moved at all.
-    const auto drag = [&](int side, std::uint32_t node, std::size_t end,
-                          const geometry::Point& point) -> std::optional<std::uint32_t> {
-        visited.clear();
-        if (space.pull(trees[side].row(node), end, point, visited) == Steered::trapped)
-            return std::nullopt;
-        return trees.add(side, node, visited);
-    };
-    const auto steer_to_target = [&](int side) -> std::optional<std::uint32_t> {
-        const auto grown = trees.grow(side, target);
-        if (grown.outcome == Steered::trapped) return std::nullopt;
-        return grown.last;
-    };
-    const auto draw_end = [&] { return rng.chance(0.5) ? 0 : space.asv_count() - 1; };
-    /// Drags an end of a node that is near a point there.
-    const auto pull = [&](int side) -> std::optional<std::uint32_t> {
-        const auto point = space.pull_target(rng, options.passage_share);
-        if (!point) return std::nullopt;
-        const std::size_t end = draw_end();
-        const Tree& tree = trees[side];
-        std::uint32_t best = 0;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < options.pull_candidates; ++i) {
-            const auto node = static_cast<std::uint32_t>(rng.below(tree.size()));
-            const geometry::Point at = space.position(tree.row(node), end);
-            const double distance = std::hypot(at.x - point->x, at.y - point->y);
-            if (distance < least) {
-                least = distance;
-                best = node;
-            }
-        }
-        return drag(side, best, end, *point);
-    };
-    const auto extend = [&](int side) -> std::optional<std::uint32_t> {
-        if (!space.sample(rng, target)) return std::nullopt;
-        return steer_to_target(side);
-    };
-    std::vector<RegionBias> bias;  ///< of both trees, where there is a way
-    const auto look_for_guide = [&] {
-        auto stops = space.guide();
-        if (stops.empty()) return;
-        bias.emplace_back(stops);
-        std::reverse(stops.begin(), stops.end());
-        bias.emplace_back(std::move(stops));
-    };
-    const auto guided_share = [&](int side) {
-        if (bias.empty()) return 0.0;
-        const auto in_vain = static_cast<double>(bias[static_cast<std::size_t>(side)].in_vain());
-        return options.guide_share * options.guide_patience / (options.guide_patience + in_vain);
-    };
-    /// Grows a tree where it has come farthest on the shortest way.
-    const auto advance = [&](int side) -> std::optional<std::uint32_t> {
-        RegionBias& ours = bias[static_cast<std::size_t>(side)];
-        ours.follow(trees[side],
-                    [&](auto row) { return space.position(row, space.asv_count() / 2); });
-        const std::size_t region = ours.region(rng);
-        const geometry::Point& ahead = ours.ahead(region, rng);
-        if (rng.chance(options.pull_share)) {
-            const std::uint32_t node = ours.node_at(region, rng);
-            return drag(side, node, draw_end(), ahead);
-        }
-        if (!space.sample_near(rng, ahead, target)) return std::nullopt;
-        return steer_to_target(side);
-    };
-    /// Lets the other tree reach for the node.
-    const auto connect = [&](int side, std::uint32_t node) {
-        const auto row = trees[side].row(node);
-        target.assign(row.begin(), row.end());
-        const auto grown = trees.grow(1 - side, target);
-        if (grown.outcome != Steered::reached) return false;
-        result.path = side == 0 ? trees.join(node, grown.last) : trees.join(grown.last, node);
-        return true;
-    };
-
-    bool met = connect(1, 0);
-    while (!met) {
-        const Progress progress = trees.progress(result.iterations);
-        if (observer) observer(progress);
-        if (const auto reason = limits.reached(progress)) {
-            result.outcome = *reason;
-            break;
-        }
-        ++result.iterations;
-        const int side = trees[0].size() <= trees[1].size() ? 0 : 1;
-        if (result.iterations == unguided_iterations && options.guide_share > 0) look_for_guide();
-        const auto node = rng.chance(guided_share(side))   ? advance(side)
-                          : rng.chance(options.pull_share) ? pull(side)
-                                                           : extend(side);
-        met = node && connect(side, *node);
-    }
-    if (met) result.outcome = Outcome::solved;
-    result.trees = trees.release();
-    return result;
+    return SlideAndPull<Space>(space, query, options, rng).search(limits, observer);
 }
 
 }  // namespace asv::core

@@ -1,42 +1,88 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <functional>
 
 #include "core/search/limits.hpp"
 #include "core/search/rng.hpp"
 #include "core/search/search_result.hpp"
-#include "core/space/steering/slide.hpp"
 
 namespace asv::core {
 
-/// Another path between the same ends, from a new search, and the work that it took; the path is
-/// empty where the search failed. See work_of().
+class PathShortener;
+
+/// Is told the cost of each better path.
+using CostObserver = std::function<void(double cost)>;
+
+/// Another path between the same ends, from a new search, and the work that it took, counted in
+/// microseconds; the path is empty where the search failed.
 struct AnotherPath {
     Configurations path;
     double work = 0;
 };
 
-/// What was done, counted.
-struct WorkDone {
-    std::uint64_t state_checks = 0;       ///< of a MotionChecker
-    std::uint64_t constrained_steps = 0;  ///< of a SlideSteering
-    std::uint64_t way_point_steps = 0;    ///< of an ElasticBand
+struct ImproveOptions {
+    /// Microseconds of a 2.8 GHz core, roughly, that the improvement may take. They are counted by
+    /// what is done, not timed, so that the same seed gives the same path on every machine.
+    double work = 1e6;
+    /// A path that costs no more is as good as it gets; 0 where nothing is known.
+    double good_enough = 0;
+    /// Finds further paths, which may pass the obstacles on other sides; none: only the given one
+    /// is shortened.
+    std::function<AnotherPath(Rng&)> another = {};
+    Limits limits = {};           ///< end the improvement early
+    CostObserver on_better = {};  ///< may be empty
 };
 
-/// Microseconds of a 2.8 GHz core, roughly, that so much takes for so many ASVs among so many
-/// obstacles. Work is counted, not timed, so that the same seed gives the same path on every
-/// machine.
-double work_of(const WorkDone& done, std::size_t asv_count, std::size_t obstacle_count);
+/// The path that is being improved, the best one so far, and what is left of the work.
+class Improvement {
+  public:
+    /// Both outlive it.
+    Improvement(PathShortener& shortener, const ImproveOptions& options);
 
-/// Shortens a path until the work is spent: by turns with shortcuts (straight and sliding ones, of
-/// all lengths) and by pulling it taut; once that gains nothing more, the same with other paths,
-/// which may pass the obstacles on other sides (restart and shortcut: Luna and others, 2013). The
-/// limits end it early. Returns the best path; on_better is told the cost of each.
-Configurations improve(Configurations path, MotionChecker& checker, const Metric& metric,
-                       SlideSteering& steering, const std::function<AnotherPath(Rng&)>& another,
-                       double work, const Limits& limits, Rng& rng,
-                       const std::function<void(double)>& on_better = {});
+    const Configurations& path() const { return path_; }
+    double cost() const { return cost_; }
+    const Configurations& best_path() const { return best_path_; }
+    double best_cost() const { return best_cost_; }
+
+    /// Goes on with another path.
+    void take(Configurations path);
+    /// Goes on with this form of the path where it costs less.
+    void keep(const Configurations& path);
+    /// So much of the work was done elsewhere, microseconds.
+    void charge(double work) { end_of_work_ -= work; }
+    /// Is the work spent, the time up, or the path as good as it gets?
+    bool finished() const;
+
+  private:
+    void note_best();
+
+    PathShortener& shortener_;
+    const ImproveOptions& options_;
+    double end_of_work_;
+    Configurations path_, best_path_;
+    double cost_ = 0, best_cost_;
+};
+
+/// What improvement needs to know of a body: how its paths are shortened and what that takes.
+class PathShortener {
+  public:
+    virtual ~PathShortener() = default;
+
+    /// Of a path, in the body's own cost.
+    virtual double cost(const Configurations& path) = 0;
+    /// Done so far by this shortener, microseconds as in ImproveOptions::work.
+    virtual double work() const = 0;
+    /// Shortens the path until nothing gains any more or the improvement is finished.
+    virtual void shorten(Improvement& improvement, Rng& rng) = 0;
+    /// Improves the best path by what the present one and an earlier one give together, where the
+    /// body can do that.
+    virtual void cross(const Configurations& earlier, Improvement& improvement, Rng& rng) = 0;
+};
+
+/// Shortens a path; once that gains nothing more, does the same with other paths, and crosses each
+/// with the best one (restart and shortcut: Luna, Şucan, Moll and Kavraki, 2013; hybridisation:
+/// Raveh, Enosh and Halperin, 2011). Returns the best path.
+Configurations improve(Configurations path, PathShortener& shortener, const ImproveOptions& options,
+                       Rng& rng);
 
 }  // namespace asv::core

@@ -11,26 +11,22 @@
 
 namespace asv::core {
 
-/// A problem made ready for planning: immutable, shared by all threads. Chains that turn clockwise
-/// are planned for in the plane with x and y swapped, where they turn counter-clockwise.
+/// The problem of a chain of ASVs made ready for planning: immutable, shared by all threads.
 struct ChainWorld {
-    /// Precondition: start and goal of the problem are valid and of one orientation.
+    /// Precondition: start and goal of the problem are valid and turn counter-clockwise; its bounds
+    /// are finite.
     ChainWorld(const Problem& given, Anchor anchor);
     ChainWorld(const ChainWorld&) = delete;
     ChainWorld& operator=(const ChainWorld&) = delete;
 
     MotionChecker make_checker() const { return {chain, constraints, field}; }
 
-    bool transposed;
-    Problem problem;  ///< counter-clockwise
+    Problem problem;
     Chain chain;
     ChainConstraints constraints;
     ObstacleField field;
     Metric metric;
     std::vector<double> start, goal;  ///< configurations
 };
-
-/// The problem with x and y swapped everywhere, which mirrors orientations exactly.
-Problem transposed(Problem problem);
 
 }  // namespace asv::core

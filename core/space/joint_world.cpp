@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "core/chain/arm_kinematics.hpp"
-#include "core/model/planning_window.hpp"
 
 namespace asv::core {
 
@@ -44,7 +43,7 @@ std::vector<double> row_of(const Problem& problem, bool goal,
 }  // namespace
 
 JointWorld::JointWorld(const Problem& given)
-    : problem(bounded(given)),
+    : problem(given),
       coordinates(),
       chain(link_lengths(problem)),
       constraints(make_joint_constraints(problem, chain)),

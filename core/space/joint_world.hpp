@@ -24,7 +24,8 @@ struct JointCoordinate {
 /// A configuration is the row of its joint angles (those that wrap first, else in order), or x, y.
 class JointWorld {
   public:
-    /// Precondition: the body is no chain of ASVs; start and goal of the problem are valid.
+    /// Precondition: the body is no chain of ASVs; start and goal of the problem are valid, its
+    /// bounds are finite.
     explicit JointWorld(const Problem& given);
     JointWorld(const JointWorld&) = delete;
     JointWorld& operator=(const JointWorld&) = delete;
@@ -40,7 +41,7 @@ class JointWorld {
     /// Is every coordinate that does not wrap within its limits?
     bool within_limits(std::span<const double> row) const;
 
-    Problem problem;  ///< bounded by its planning window
+    Problem problem;
     std::vector<JointCoordinate> coordinates;
     Chain chain;
     ChainConstraints constraints;

@@ -37,6 +37,7 @@ struct Arguments {
     std::string planner = "auto";
     std::vector<std::string> settings;
     core::SolveOptions solve;
+    core::Clock::time_point started = core::Clock::now();
 };
 
 void list_planners() {
@@ -200,23 +201,21 @@ std::unique_ptr<TimeLimitWatch> watch_time_limit(const Arguments& arguments, boo
     const std::chrono::duration<double> limit(arguments.solve.time_limit);
     if (limit.count() > never) return nullptr;
     const auto moment =
-        arguments.solve.started + std::chrono::duration_cast<core::Clock::duration>(limit);
+        arguments.started + std::chrono::duration_cast<core::Clock::duration>(limit);
     return std::make_unique<TimeLimitWatch>(moment,
                                             [&arguments, quiet] { give_up(arguments, quiet); });
 }
 
-ExitCode solve_file(const CommandLine& command_line, Arguments& arguments) {
-    arguments.solve.planner = chosen_planner(arguments);
-    auto time_limit = watch_time_limit(arguments, command_line.quiet());
-    const io::ProblemFile file = io::read_problem(arguments.problem);
-    command_line.print(file.warnings);
-    if (const auto invalid = core::invalid_ends(file.problem); !invalid.empty()) {
-        for (const core::InvalidEnd& end : invalid)
-            std::cerr << arguments.problem << ':' << (end.goal ? file.goal_line : file.start_line)
-                      << ": " << (end.goal ? "goal" : "start") << " is not valid: " << end.reason
-                      << '\n';
-        return ExitCode::bad_input;
-    }
+void report_invalid_ends(const std::string& name, const io::ProblemFile& file,
+                         const core::InvalidEnds& invalid) {
+    for (const core::InvalidEnd& end : invalid.ends())
+        std::cerr << name << ':' << (end.goal ? file.goal_line : file.start_line) << ": "
+                  << (end.goal ? "goal" : "start") << " is not valid: " << end.reason << '\n';
+}
+
+/// Everything between a problem that has been read and an answer.
+ExitCode answer(const CommandLine& command_line, Arguments& arguments, const io::ProblemFile& file,
+                std::unique_ptr<TimeLimitWatch> time_limit) {
     for (const std::string* output : {&arguments.solution, &arguments.stats, &arguments.trees})
         if (!output->empty()) io::require_writable(*output);
 
@@ -234,6 +233,8 @@ ExitCode solve_file(const CommandLine& command_line, Arguments& arguments) {
         arguments.solve.on_progress = [&](const core::SolveProgress& progress) {
             line.show(progress_text(progress));
         };
+    arguments.solve.elapsed_before =
+        std::chrono::duration<double>(core::Clock::now() - arguments.started).count();
     const core::SolveResult result = core::solve(file.problem, arguments.solve);
     time_limit.reset();
     line.clear();
@@ -242,6 +243,19 @@ ExitCode solve_file(const CommandLine& command_line, Arguments& arguments) {
     if (!arguments.stats.empty()) write_stats(arguments, file.problem, result);
     if (!command_line.quiet()) report(arguments, result);
     return exit_code(result.status);
+}
+
+ExitCode solve_file(const CommandLine& command_line, Arguments& arguments) {
+    arguments.solve.planner = chosen_planner(arguments);
+    auto time_limit = watch_time_limit(arguments, command_line.quiet());
+    const io::ProblemFile file = io::read_problem(arguments.problem);
+    command_line.print(file.warnings);
+    try {
+        return answer(command_line, arguments, file, std::move(time_limit));
+    } catch (const core::InvalidEnds& invalid) {
+        report_invalid_ends(arguments.problem, file, invalid);
+        return ExitCode::bad_input;
+    }
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -11,27 +10,47 @@
 #include "core/search/limits.hpp"
 #include "core/search/rng.hpp"
 #include "core/search/search_result.hpp"
+#include "core/shorten/improve.hpp"
 #include "core/solve/planner_catalogue.hpp"
 
 namespace asv::core {
 
-/// What a search found, and the checks that it took.
+/// What was looked at on the way.
+struct ChecksSpent {
+    std::uint64_t state_checks = 0, edge_checks = 0;
+
+    ChecksSpent& operator+=(const ChecksSpent& more) {
+        state_checks += more.state_checks;
+        edge_checks += more.edge_checks;
+        return *this;
+    }
+};
+
+/// What a search found and what it took.
 struct Attempt {
     SearchResult search;
-    std::uint64_t state_checks = 0, edge_checks = 0, constrained_steps = 0;
+    ChecksSpent checks;
+    std::uint64_t constrained_steps = 0;  ///< of slides
 };
 
-/// How an improvement is told when to end and whom to tell.
+/// An improved path and what it took.
+struct Improved {
+    Configurations path;
+    ChecksSpent checks;
+};
+
+/// How long and whereto a path is to be improved.
 struct ImprovementOrder {
-    double work = 0;           ///< microseconds of a 2.8 GHz core, counted; see work_of()
-    bool other_paths = false;  ///< may search for other paths as well
-    Limits limits;             ///< of everything
-    Limits search_limits;      ///< of the search for each other path
-    std::function<void(double)> on_better;  ///< is told the cost of each better path
+    double work = 0;              ///< microseconds of a 2.8 GHz core, counted; see ImproveOptions
+    bool other_paths = false;     ///< may search for other paths as well
+    Limits limits;                ///< of everything
+    Limits search_limits;         ///< of the search for each other path
+    CostObserver on_better = {};  ///< is told the cost of each better path
 };
 
-/// The parts of solving that depend on the body: its space, its searches, its improvement, its
-/// steps. Immutable once made, shared by all threads.
+/// The stages of solving that depend on the body: its space, its searches, its improvement, its
+/// primitive steps, all in the coordinates of the problem that it is made for. Immutable once made,
+/// shared by all threads.
 class BodySolver {
   public:
     virtual ~BodySolver() = default;
@@ -43,18 +62,19 @@ class BodySolver {
     /// The cost of a path of configurations; that of its steps may differ by some 0.1 %.
     virtual double cost(const Configurations& path) const = 0;
 
-    /// A path that costs no more. Adds the checks that it took to `spent`.
-    virtual Configurations improve(const Configurations& path, const ImprovementOrder& order,
-                                   Rng& rng, Attempt& spent) const = 0;
+    /// A path that costs no more.
+    virtual Improved improve(const Configurations& path, const ImprovementOrder& order,
+                             Rng& rng) const = 0;
 
-    /// The path in primitive steps, in the plane of the problem.
+    /// The path in primitive steps.
     virtual Path steps(const Configurations& path) const = 0;
 
     /// Where the body is to be seen at each node of a tree: ASV 1, the tip of an arm, the point.
     virtual std::vector<Point> places(const Tree& tree) const = 0;
 };
 
-/// The planning for the body of the problem, which has valid ends. Keeps references to both.
+/// The solver for the body of a problem in planning coordinates (see PlanningFrame), whose ends are
+/// valid. Keeps references to both.
 std::unique_ptr<BodySolver> make_body_solver(const Problem& problem, const Planner& planner);
 
 /// The two makers behind it: for a chain of ASVs, and for an arm or a point.

@@ -1,9 +1,7 @@
-#include "core/model/planning_window.hpp"
-#include "core/shorten/improve.hpp"
+#include "core/shorten/chain_shortener.hpp"
 #include "core/solve/bodies/body_solver.hpp"
 #include "core/solve/bodies/search_in.hpp"
 #include "core/solve/primitive_steps.hpp"
-#include "core/solve/scaled_problem.hpp"
 #include "core/space/chain_world.hpp"
 #include "core/space/ladder_space.hpp"
 #include "core/space/motion_cost.hpp"
@@ -21,8 +19,7 @@ Attempt run(const AutoPlanner& planner, const ChainWorld& world, const Limits& l
     Attempt attempt;
     attempt.search =
         slide_and_pull(space, {world.start, world.goal}, planner.search, limits, rng, observer);
-    attempt.state_checks = space.checker().state_checks();
-    attempt.edge_checks = space.checker().motion_checks();
+    attempt.checks = {space.checker().state_checks(), space.checker().motion_checks()};
     attempt.constrained_steps = space.constrained_steps();
     return attempt;
 }
@@ -35,8 +32,7 @@ Attempt run_in(const Chosen& planner, const ChainWorld& world, const Limits& lim
     SampledBy<Space> space(sampler, world, options...);
     Attempt attempt;
     attempt.search = search_in(space, planner, {world.start, world.goal}, limits, rng, observer);
-    attempt.state_checks = space.state_checks();
-    attempt.edge_checks = space.motion_checks();
+    attempt.checks = {space.state_checks(), space.motion_checks()};
     return attempt;
 }
 
@@ -64,10 +60,9 @@ Anchor anchor_of(const Planner& planner) {
                                                               : Anchor::centroid;
 }
 
-/// The problem as it is planned. A lone ASV has no broom that could collide, so that nothing
-/// forbids it to cross obstacles; it goes round them as chains do where there is a way round, and
-/// straight ahead where there is none.
-Problem planned(Problem problem) {
+/// A lone ASV has no broom that could collide, so that nothing forbids it to cross obstacles; it
+/// goes round them as chains do where there is a way round, and straight ahead where there is none.
+Problem kept_off_obstacles(Problem problem) {
     if (problem.asv_count() > 1) return problem;
     std::vector<Box> kept_off;
     for (const Box& box : problem.obstacles)
@@ -82,67 +77,45 @@ Problem planned(Problem problem) {
 class ChainSolver : public BodySolver {
   public:
     ChainSolver(const Problem& problem, const Planner& planner)
-        : planner_(planner),
-          unit_(unit_of(problem)),
-          world_(in_units(planned(bounded(problem)), unit_), anchor_of(planner)) {}
+        : planner_(planner), world_(kept_off_obstacles(problem), anchor_of(planner)) {}
 
     Attempt search(const Limits& limits, Rng& rng, const Observer& observer,
                    std::size_t racer) const override {
-        const Observer in_units = [&](Progress progress) {
-            progress.cost *= unit_;
-            observer(progress);
-        };
-        const Observer& told = observer && unit_ != 1 ? in_units : observer;
         const Planner planner = varied(planner_, racer);
         return std::visit(
-            [&](const auto& chosen) { return run(chosen, world_, limits, rng, told); }, planner);
+            [&](const auto& chosen) { return run(chosen, world_, limits, rng, observer); },
+            planner);
     }
 
     double cost(const Configurations& path) const override {
-        return unit_ * MotionCost(world_.chain).path(path);
+        return MotionCost(world_.chain).path(path);
     }
 
-    Configurations improve(const Configurations& path, const ImprovementOrder& order, Rng& rng,
-                           Attempt& spent) const override {
+    Improved improve(const Configurations& path, const ImprovementOrder& order,
+                     Rng& rng) const override {
+        Improved improved;
         const auto another = [&](Rng& draws) {
             Attempt attempt = search(order.search_limits, draws, {}, 0);
-            spent.state_checks += attempt.state_checks;
-            spent.edge_checks += attempt.edge_checks;
-            return AnotherPath{
-                std::move(attempt.search.path),
-                work_of({attempt.state_checks, attempt.constrained_steps},
-                        world_.problem.asv_count(), world_.problem.obstacles.size())};
+            improved.checks += attempt.checks;
+            return AnotherPath{std::move(attempt.search.path), search_work(attempt)};
         };
-        const auto on_better = [&](double better) {
-            if (order.on_better) order.on_better(unit_ * better);
-        };
+        ImproveOptions options{
+            .work = order.work, .limits = order.limits, .on_better = order.on_better};
+        if (order.other_paths) options.another = another;
+
         MotionChecker checker = world_.make_checker();
         const auto* sliding = std::get_if<AutoPlanner>(&planner_);
         SlideSteering steering(checker, world_.metric,
                                sliding ? sliding->steering : SlideOptions{});
-        Configurations rows =
-            core::improve(path, checker, world_.metric, steering,
-                          order.other_paths ? another : std::function<AnotherPath(Rng&)>{},
-                          order.work, order.limits, rng, on_better);
-        spent.state_checks += checker.state_checks();
-        spent.edge_checks += checker.motion_checks();
-        return rows;
+        ChainShortener shortener(checker, world_.metric, steering);
+        improved.path = core::improve(path, shortener, options, rng);
+        improved.checks += {checker.state_checks(), checker.motion_checks()};
+        return improved;
     }
 
     Path steps(const Configurations& path) const override {
         MotionChecker checker = world_.make_checker();
-        Path planned = primitive_steps(world_.problem, path, checker);
-        if (unit_ != 1) planned = out_of_units(planned, unit_);
-        if (!world_.transposed) return planned;
-        Path result(planned.asv_count());
-        result.reserve(planned.size());
-        std::vector<Point> state;
-        for (std::size_t i = 0; i < planned.size(); ++i) {
-            state.assign(planned.state(i).begin(), planned.state(i).end());
-            for (Point& p : state) std::swap(p.x, p.y);
-            result.push_back(state);
-        }
-        return result;
+        return primitive_steps(world_.problem, path, checker);
     }
 
     std::vector<Point> places(const Tree& tree) const override {
@@ -150,15 +123,18 @@ class ChainSolver : public BodySolver {
         std::vector<Point> points;
         for (std::uint32_t node = 0; node < tree.size(); ++node) {
             world_.chain.forward(tree.row(node), pose);
-            const double x = unit_ * pose.x[0], y = unit_ * pose.y[0];
-            points.push_back(world_.transposed ? Point{y, x} : Point{x, y});
+            points.push_back({pose.x[0], pose.y[0]});
         }
         return points;
     }
 
   private:
+    double search_work(const Attempt& attempt) const {
+        const ChainWork done{attempt.checks.state_checks, attempt.constrained_steps, 0};
+        return microseconds(done, world_.problem.asv_count(), world_.problem.obstacles.size());
+    }
+
     const Planner& planner_;
-    double unit_;  ///< of the world, in those of the problem
     ChainWorld world_;
 };
 

@@ -1,5 +1,5 @@
 #include "core/bounds/lower_bound.hpp"
-#include "core/shorten/improve_joints.hpp"
+#include "core/shorten/joint_shortener.hpp"
 #include "core/solve/bodies/body_solver.hpp"
 #include "core/solve/bodies/search_in.hpp"
 #include "core/solve/primitive_steps.hpp"
@@ -15,8 +15,7 @@ Attempt run(const AutoPlanner&, const JointWorld& world, const Limits& limits, R
     JointSpace space(world);
     Attempt attempt;
     attempt.search = rrt_connect(space, {world.start, world.goal}, {}, limits, rng, observer);
-    attempt.state_checks = space.state_checks();
-    attempt.edge_checks = space.motion_checks();
+    attempt.checks = {space.state_checks(), space.motion_checks()};
     return attempt;
 }
 
@@ -28,18 +27,19 @@ Attempt run(const Chosen& planner, const JointWorld& world, const Limits& limits
     SampledBy<JointSpace> space(sampler, world);
     Attempt attempt;
     attempt.search = search_in(space, planner, {world.start, world.goal}, limits, rng, observer);
-    attempt.state_checks = space.state_checks();
-    attempt.edge_checks = space.motion_checks();
+    attempt.checks = {space.state_checks(), space.motion_checks()};
     return attempt;
 }
 
 /// Microseconds that a search takes besides its checks.
-constexpr double work_of_search = 50;
+constexpr double search_overhead = 50;
+/// Nearer to the lower bound there is nothing to gain, in shares of it.
+constexpr double negligible = 1e-5;
 
 class JointSolver : public BodySolver {
   public:
     JointSolver(const Problem& problem, const Planner& planner)
-        : problem_(problem), planner_(planner), world_(problem) {}
+        : planner_(planner), world_(problem) {}
 
     Attempt search(const Limits& limits, Rng& rng, const Observer& observer,
                    std::size_t /*racer*/) const override {
@@ -52,24 +52,25 @@ class JointSolver : public BodySolver {
         return path_cost(JointSpace(world_), path);
     }
 
-    Configurations improve(const Configurations& path, const ImprovementOrder& order, Rng& rng,
-                           Attempt& spent) const override {
-        JointSpace space(world_);
+    Improved improve(const Configurations& path, const ImprovementOrder& order,
+                     Rng& rng) const override {
+        Improved improved;
         const auto another = [&](Rng& draws) {
             Attempt attempt = search(order.search_limits, draws, {}, 0);
-            spent.state_checks += attempt.state_checks;
-            spent.edge_checks += attempt.edge_checks;
-            return AnotherPath{
-                std::move(attempt.search.path),
-                work_of_search +
-                    joint_work_of(attempt.state_checks, attempt.edge_checks, world_.dimension())};
+            improved.checks += attempt.checks;
+            return AnotherPath{std::move(attempt.search.path), search_work(attempt.checks)};
         };
-        Configurations rows = improve_joints(
-            path, space, order.other_paths ? another : std::function<AnotherPath(Rng&)>{},
-            lower_bound(), order.work, order.limits, rng, order.on_better);
-        spent.state_checks += space.state_checks();
-        spent.edge_checks += space.motion_checks();
-        return rows;
+        ImproveOptions options{.work = order.work,
+                               .good_enough = exact_lower_bound() * (1 + negligible),
+                               .limits = order.limits,
+                               .on_better = order.on_better};
+        if (order.other_paths) options.another = another;
+
+        JointSpace space(world_);
+        JointShortener shortener(space);
+        improved.path = core::improve(path, shortener, options, rng);
+        improved.checks += {space.state_checks(), space.motion_checks()};
+        return improved;
     }
 
     Path steps(const Configurations& path) const override {
@@ -86,14 +87,18 @@ class JointSolver : public BodySolver {
     }
 
   private:
+    double search_work(const ChecksSpent& checks) const {
+        return search_overhead +
+               microseconds(checks.state_checks, checks.edge_checks, world_.dimension());
+    }
+
     /// Of a path that has no use for the tolerance.
-    double lower_bound() const {
-        Problem exact = problem_;
+    double exact_lower_bound() const {
+        Problem exact = world_.problem;
         exact.requirements.tolerance = 0;
         return cost_lower_bound(exact).total;
     }
 
-    const Problem& problem_;
     const Planner& planner_;
     JointWorld world_;
 };

@@ -5,6 +5,7 @@
 
 #include "core/model/cost.hpp"
 #include "core/search/trees/two_trees.hpp"
+#include "core/shorten/chain_shortener.hpp"
 #include "core/shorten/hybridise.hpp"
 #include "core/shorten/improve.hpp"
 #include "core/space/sampling/shape_sampler.hpp"
@@ -196,6 +197,18 @@ TEST(Shortcutter, DetoursThatCostMoreAreNotTaken) {
         EXPECT_FALSE(shortcutter.attempt(none, 1, rng));
     }
     EXPECT_EQ(shortcutter.path(), bend);
+}
+
+Configurations improve(const Configurations& path, MotionChecker& checker, const Metric& metric,
+                       SlideSteering& steering, std::function<AnotherPath(Rng&)> another,
+                       double work, const Limits& limits, Rng& rng, CostObserver on_better = {}) {
+    ChainShortener shortener(checker, metric, steering);
+    return core::improve(path, shortener,
+                         {.work = work,
+                          .another = std::move(another),
+                          .limits = limits,
+                          .on_better = std::move(on_better)},
+                         rng);
 }
 
 TEST(Improve, CostNeverGrowsAndThePathStaysValid) {

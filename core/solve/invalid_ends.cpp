@@ -2,35 +2,12 @@
 #include "core/solve/solve.hpp"
 #include "core/validate/validate.hpp"
 
-/// What solve() tells of its result and of a problem that it refuses, in words.
-
 namespace asv::core {
 
-std::string_view name(SolveStatus status) {
-    switch (status) {
-        case SolveStatus::solved:
-            return "solved";
-        case SolveStatus::timeout:
-            return "timeout";
-        case SolveStatus::infeasible:
-            return "infeasible";
-        case SolveStatus::interrupted:
-            return "interrupted";
-    }
-    return "unknown";
-}
-
-std::string_view name(TreeRoot root) {
-    switch (root) {
-        case TreeRoot::start:
-            return "start";
-        case TreeRoot::goal:
-            return "goal";
-        case TreeRoot::roadmap:
-            return "roadmap";
-    }
-    return "unknown";
-}
+InvalidEnds::InvalidEnds(std::vector<InvalidEnd> ends)
+    : std::invalid_argument(std::string(ends.front().goal ? "goal" : "start") +
+                            " is not valid: " + ends.front().reason),
+      ends_(std::move(ends)) {}
 
 std::vector<InvalidEnd> invalid_ends(const Problem& problem) {
     std::vector<InvalidEnd> found;
