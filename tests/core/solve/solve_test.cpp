@@ -1,6 +1,7 @@
 #include "core/solve/solve.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -283,6 +284,43 @@ TEST(Solve, InvalidEndsSayWhatIsWrongAndWhere) {
     ASSERT_EQ(found.size(), 1U);
     EXPECT_FALSE(found[0].goal);
     EXPECT_NE(found[0].reason.find("obstacle 2"), std::string::npos) << found[0].reason;
+}
+
+TEST(Solve, OneOptionsObjectServesManyCallsSinceTheClockStartsWithEach) {
+    const Problem problem = testcase("3ASV-x4.txt");
+    SolveOptions options = plain(1);
+    options.time_limit = 0.3;
+    std::this_thread::sleep_for(std::chrono::duration<double>(1.2 * options.time_limit));
+    const SolveResult first = solve(problem, options);
+    ASSERT_EQ(first.status, SolveStatus::solved);
+    EXPECT_EQ(solve(problem, options).solution->path, first.solution->path);
+}
+
+TEST(Solve, WhatTheCallerSpentBeforeCountsTowardTheLimitAndTheTimes) {
+    const Problem problem = testcase("3ASV-x4.txt");
+    SolveOptions options = plain(1);
+    options.time_limit = 5;
+    options.elapsed_before = 2;
+    const SolveResult solved = solve(problem, options);
+    EXPECT_GE(solved.statistics.time_to_first, 2);
+    EXPECT_GE(solved.statistics.time_total, 2);
+    options.elapsed_before = 6;
+    EXPECT_EQ(solve(testcase("15ASV.txt"), options).status, SolveStatus::timeout);
+}
+
+TEST(Solve, InvalidEndsAreThrownWithEveryReason) {
+    Problem problem = testcase("3ASV-x4.txt");
+    problem.start[0].x += 0.001;
+    problem.goal[2].y += 0.001;
+    try {
+        solve(problem);
+        FAIL() << "invalid ends pass";
+    } catch (const InvalidEnds& invalid) {
+        ASSERT_GE(invalid.ends().size(), 2U);
+        EXPECT_FALSE(invalid.ends().front().goal);
+        EXPECT_TRUE(invalid.ends().back().goal);
+        EXPECT_NE(std::string(invalid.what()).find("start is not valid: "), std::string::npos);
+    }
 }
 
 }  // namespace

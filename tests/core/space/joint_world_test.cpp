@@ -1,11 +1,12 @@
 #include "core/space/joint_world.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include "core/bounds/lower_bound.hpp"
 #include "core/chain/arm_kinematics.hpp"
 #include "core/model/cost.hpp"
+#include "core/model/planning_window.hpp"
+#include "core/model/planning_window.hpp"
 #include "core/search/trees/interpolate.hpp"
 #include "core/solve/solve.hpp"
 #include "core/space/joint_space.hpp"
@@ -96,7 +97,7 @@ TEST(JointWorld, EndsAreRowsOfItsSpaceWithWrappingJointsFirst) {
     problem.goal = arm_points(arm, {0, 0}, arm.goal);
     problem.body = arm;
     problem.requirements.bounds = without_bounds();
-    const JointWorld world(problem);
+    const JointWorld world(bounded(problem));
     EXPECT_EQ(world.wrapping_count(), 1U);
     EXPECT_EQ(world.start, (Row{0.5, 0, 1}));
     EXPECT_EQ(world.goal, (Row{7, 0.5, 2}));
@@ -112,7 +113,7 @@ TEST(JointSpace, AProvenMotionIsFreeWhereverOneLooks) {
     std::size_t proven = 0, refused = 0, near_misses = 0;
     for_seeds(scaled(300), [&](Rng& rng) {
         const Problem problem = random_problem(rng);
-        const JointWorld world(problem);
+        const JointWorld world(bounded(problem));
         JointSpace space(world);
         Row from(world.start), to(world.dimension()), at(world.dimension());
         for (int motion = 0; motion < 20; ++motion) {
@@ -150,7 +151,7 @@ TEST(JointSpace, APointMustNotTouchObstacles) {
     problem.start = {{0.1, 0.5}};
     problem.goal = {{0.9, 0.5}};
     problem.obstacles = {{{0.4, 0.2}, {0.6, 0.8}}};
-    const JointWorld world(problem);
+    const JointWorld world(bounded(problem));
     JointSpace space(world);
     EXPECT_FALSE(space.valid(Row{0.5, 0.5}));
     EXPECT_TRUE(space.valid(Row{0.5, 0.1}));

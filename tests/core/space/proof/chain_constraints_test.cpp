@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/solve/planning_frame.hpp"
 #include "core/solve/solve.hpp"
 #include "geometry/predicates/polygon.hpp"
 #include "tests/kit/oracle.hpp"
@@ -119,20 +120,22 @@ TEST(ChainConstraints, EveryValidEndIsInsideAndCanBeLeft) {
         const Problem problem = tight_problem(rng);
         if (!invalid_ends(problem).empty()) return;
         ++valid;
-        const ChainWorld world(problem, rng.chance(0.5) ? Anchor::centroid : Anchor::first_asv);
+        const PlanningFrame frame(problem);
+        const ChainWorld world(frame.problem(),
+                               rng.chance(0.5) ? Anchor::centroid : Anchor::first_asv);
         MotionChecker checker = world.make_checker();
         ASSERT_TRUE(checker.valid(world.start));
         ASSERT_TRUE(checker.valid(world.goal));
         // Off the box on the left, along it, and off the one above.
         Row away(world.start), down(world.goal);
-        away[world.transposed ? 1 : 0] += 0.05;
-        down[world.transposed ? 0 : 1] -= 0.05;
+        away[frame.transposed() ? 1 : 0] += 0.05;
+        down[frame.transposed() ? 0 : 1] -= 0.05;
         EXPECT_TRUE(checker.valid(world.start, away));
         EXPECT_TRUE(checker.valid(away, world.start));
         EXPECT_TRUE(checker.valid(world.goal, down));
         Row along(world.start), into(world.start);
-        along[world.transposed ? 0 : 1] += 0.05;
-        into[world.transposed ? 1 : 0] -= 0.05;
+        along[frame.transposed() ? 0 : 1] += 0.05;
+        into[frame.transposed() ? 1 : 0] -= 0.05;
         EXPECT_TRUE(checker.valid(world.start, along));
         EXPECT_FALSE(checker.valid(world.start, into));
     });

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/search/trees/two_trees.hpp"
+#include "core/solve/planning_frame.hpp"
 #include "core/space/proof/motion_checker.hpp"
 #include "core/space/sampling/shape_sampler.hpp"
 #include "tests/kit/oracle.hpp"
@@ -189,11 +190,13 @@ TEST(Motion, AWholeMotionIsValidWhenItsPrefixSaysSo) {
 }
 
 /// The answers for a motion and its image have to agree, but where it is a matter of rounding.
-void expect_same_answers(Place& place, ChainWorld& image, Points (*map)(Points), Rng& rng) {
+void expect_same_answers(Place& place, const PlanningFrame& frame, Points (*map)(Points),
+                         Rng& rng) {
+    const ChainWorld image(frame.problem(), Anchor::centroid);
     MotionChecker checker = image.make_checker();
     const auto image_of = [&](const Row& row) {
         Points points = map(testing::positions_of(place.world.chain, row));
-        if (image.transposed)
+        if (frame.transposed())
             for (Point& p : points) std::swap(p.x, p.y);
         return testing::row_of(image.chain, points);
     };
@@ -243,8 +246,8 @@ TEST(Motion, MirrorsRotationsAndTheOtherWayAlongTheChainChangeNothing) {
         for (std::size_t which = 0; which < std::size(maps); ++which) {
             SCOPED_TRACE("image " + std::to_string(which));
             Place place(rng, 7, 30, 0.05, Anchor::centroid);
-            ChainWorld world(image(place.world.problem, maps[which]), Anchor::centroid);
-            expect_same_answers(place, world, maps[which], rng);
+            const PlanningFrame frame(image(place.world.problem, maps[which]));
+            expect_same_answers(place, frame, maps[which], rng);
         }
     });
 }
