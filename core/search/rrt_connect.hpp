@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
 #include "core/search/configuration_space.hpp"
 #include "core/search/extensions/extensions.hpp"
 #include "core/search/limits.hpp"
+#include "core/search/setting.hpp"
 #include "core/search/trees/two_trees.hpp"
 
 namespace asv::core {
@@ -22,6 +24,39 @@ struct RrtConnectOptions {
     std::vector<GrowthOrder> orders = {GrowthOrder::both_to_sample, GrowthOrder::start_then_goal,
                                        GrowthOrder::goal_then_start};
 };
+
+/// Is the order among those that take turns? An order that is switched on comes last.
+inline SettingValue takes_turns(std::vector<GrowthOrder>& orders, GrowthOrder order) {
+    return {.low = 0,
+            .high = 1,
+            .whole = true,
+            .get = [&orders, order] { return std::ranges::count(orders, order) > 0 ? 1.0 : 0.0; },
+            .set =
+                [&orders, order](double on) {
+                    std::erase(orders, order);
+                    if (on != 0) orders.push_back(order);
+                }};
+}
+
+inline std::vector<Setting> settings_of(RrtConnectOptions& options) {
+    return {
+        {.name = "order-both",
+         .meaning = "grow both trees to the sample",
+         .value = takes_turns(options.orders, GrowthOrder::both_to_sample),
+         .why = "three orders by turns, as reported; off leaves the two of the textbook",
+         .source = "report on the bidirectional RRT for ASVs"},
+        {.name = "order-start",
+         .meaning = "grow the start tree to the sample, the goal tree to where that came",
+         .value = takes_turns(options.orders, GrowthOrder::start_then_goal),
+         .why = "neither end is preferred",
+         .source = "Kuffner and LaValle 2000"},
+        {.name = "order-goal",
+         .meaning = "grow the goal tree to the sample, the start tree to where that came",
+         .value = takes_turns(options.orders, GrowthOrder::goal_then_start),
+         .why = "neither end is preferred",
+         .source = "Kuffner and LaValle 2000"},
+    };
+}
 
 /// RRT-Connect (Kuffner and LaValle, 2000): two trees, each extended by steering until it is
 /// reached or blocked, until they meet. Extensions take part in drawing the sample, in choosing the
