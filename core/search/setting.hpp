@@ -36,7 +36,7 @@ struct Setting {
     std::string name;
     std::string meaning;
     SettingValue value;
-    std::string why = {};     ///< why that default
+    std::string why = {};     ///< why the default is what it is
     std::string source = {};  ///< who proposed what it sets, or "own"
 };
 
