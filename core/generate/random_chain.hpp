@@ -14,14 +14,21 @@ namespace asv::core {
 
 enum class Orientation { clockwise, counter_clockwise, random };
 
-/// What every family asks of its starts and goals.
+/// What every family asks of its starts and goals; lengths in workspace units.
 struct ChainOptions {
-    std::size_t asv_count = 3;                      ///< 3 to 200
-    Orientation orientation = Orientation::random;  ///< of the start and of the goal alike
-    double clearance = 0.001;   ///< least distance of start and goal to obstacles and bounds, >= 0
-    double area_margin = 0.02;  ///< how far above the minimum area, as a share of it, 0 to 0.2
-    double min_turn = 1e-4;     ///< of every vertex, so that none is straight; radians, 0 to 0.01
-    double min_closing = 0.01;  ///< length of the closing side, in workspace units, 0 to 0.05
+    std::size_t asv_count = 3;  ///< 3 to 200; the fewest that enclose an area
+    /// Of the start and of the goal alike. Drawn by default, so that problems differ.
+    Orientation orientation = Orientation::random;
+    /// Least distance of start and goal to obstacles and bounds, 0 to 0.1. One primitive step, far
+    /// above the tolerance of 1e-5.
+    double clearance = 0.001;
+    /// How far above the minimum area, as a share of it, 0 to 0.2. A round number, far above what
+    /// the 12 decimals of a file round away.
+    double area_margin = 0.02;
+    /// Of every vertex, radians, 0 to 0.01: none is straight. Ten times the tolerance.
+    double min_turn = 1e-4;
+    /// Length of the closing side, 0 to 0.05. A round number, a fifth of a broom.
+    double min_closing = 0.01;
 };
 
 /// No start or goal was found in the space that the other parameters leave.

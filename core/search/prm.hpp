@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/search/limits.hpp"
+#include "core/search/setting.hpp"
 #include "core/search/trees/one_tree.hpp"
 #include "core/search/trees/roadmap.hpp"
 
@@ -13,14 +14,47 @@ namespace asv::core {
 /// How the shortest path in a roadmap is looked for; both find paths of one cost.
 enum class RoadmapSearch { dijkstra, a_star };
 
+/// What each field is, settings_of() says below.
 struct PrmOptions {
-    std::size_t samples = 1000;  ///< least number of samples before the roadmap is asked
-    /// Draws after which it is asked with fewer: where hardly a sample is to be had.
+    std::size_t samples = 1000;
     std::size_t draws = 200000;
-    std::size_t neighbours = 10;  ///< nearest nodes that a new one is joined to
-    double radius = 0;            ///< joins all nodes within it instead, in the metric; 0: off
+    std::size_t neighbours = 10;
+    double radius = 0;
     RoadmapSearch search = RoadmapSearch::a_star;
 };
+
+inline std::vector<Setting> settings_of(PrmOptions& options) {
+    return {
+        {.name = "samples",
+         .meaning = "least number of nodes before a path is looked for",
+         .value = number(options.samples, 0, 1e7),
+         .why = "as reported for a point on a map; 500 for an arm, 2000 and more for Gaussian and "
+                "bridge samples",
+         .source = "Kavraki and others 1996"},
+        {.name = "draws",
+         .meaning = "draws after which a path is looked for with fewer nodes",
+         .value = number(options.draws, 0, 1e12),
+         .why = "a round number; bridge samples, two or three in a thousand draws, come to some "
+                "hundreds by then",
+         .source = "own"},
+        {.name = "neighbours",
+         .meaning = "nearest nodes that a node is joined to",
+         .value = number(options.neighbours, 1, 1e4),
+         .why = "as reported for an arm",
+         .source = "Kavraki and others 1996"},
+        {.name = "radius",
+         .meaning = "join all nodes within it instead; 0: the nearest ones",
+         .value = number(options.radius, 0, 1e4, in_metric),
+         .why = "a number of neighbours suits every body and every density of nodes, a radius "
+                "only one",
+         .source = "Kavraki and others 1996"},
+        {.name = "search",
+         .meaning = "how the shortest path is found",
+         .value = one_of(options.search, {"dijkstra", "a-star"}),
+         .why = "looks at fewer nodes than Dijkstra, for a path of the same cost",
+         .source = "Hart, Nilsson and Raphael 1968"},
+    };
+}
 
 /// Joins a node to those of its neighbours that it is not connected with yet, or to all of them,
 /// where the straight motion is valid.

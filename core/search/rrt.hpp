@@ -6,14 +6,32 @@
 #include <vector>
 
 #include "core/search/limits.hpp"
+#include "core/search/setting.hpp"
 #include "core/search/trees/one_tree.hpp"
 
 namespace asv::core {
 
+/// What each field is, settings_of() says below.
 struct RrtOptions {
-    double step = 0.1;        ///< longest motion of one extension, in the metric
-    double goal_bias = 0.05;  ///< share of the samples that are the goal
+    double step = 0.1;
+    double goal_bias = 0.05;
 };
+
+inline std::vector<Setting> settings_of(RrtOptions& options) {
+    return {
+        {.name = "step",
+         .meaning = "longest motion of an extension; 0: a tenth of the longest side",
+         .value = number(options.step, 0, 1e4, in_metric),
+         .why = "a tenth of the side, a round number, suits every body; rrt() itself, which knows "
+                "no sides, has 0.1",
+         .source = "LaValle 1998"},
+        {.name = "goal-bias",
+         .meaning = "share of the samples that are the goal",
+         .value = number(options.goal_bias, 0, 1),
+         .why = "5 %, as reported for a point on a map",
+         .source = "LaValle 1998"},
+    };
+}
 
 /// The rapidly-exploring random tree (LaValle, 1998): a tree from the start, extended by one step
 /// from its nearest node toward a sample where that straight motion is valid, until a node within

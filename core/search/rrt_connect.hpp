@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "core/search/configuration_space.hpp"
 #include "core/search/extensions/extensions.hpp"
 #include "core/search/limits.hpp"
+#include "core/search/setting.hpp"
 #include "core/search/trees/two_trees.hpp"
 
 namespace asv::core {
@@ -25,6 +27,38 @@ struct RrtConnectOptions {
                                        GrowthOrder::goal_then_start};
 };
 
+/// Is the order among those that take turns? An order that is switched on comes last.
+inline SettingValue takes_turns(std::vector<GrowthOrder>& orders, GrowthOrder order) {
+    return {.low = 0,
+            .high = 1,
+            .whole = true,
+            .get = [&orders, order] { return std::ranges::count(orders, order) > 0 ? 1.0 : 0.0; },
+            .set =
+                [&orders, order](double on) {
+                    std::erase(orders, order);
+                    if (on != 0) orders.push_back(order);
+                }};
+}
+
+inline std::vector<Setting> settings_of(RrtConnectOptions& options) {
+    return {
+        {.name = "order-both",
+         .meaning = "grow both trees to the sample",
+         .value = takes_turns(options.orders, GrowthOrder::both_to_sample),
+         .why = "three orders by turns, as reported; off leaves the two of the textbook",
+         .source = "report on the bidirectional RRT for ASVs"},
+        {.name = "order-start",
+         .meaning = "grow the start tree to the sample, the goal tree to where that came",
+         .value = takes_turns(options.orders, GrowthOrder::start_then_goal),
+         .why = "neither end is preferred",
+         .source = "Kuffner and LaValle 2000"},
+        {.name = "order-goal",
+         .meaning = "grow the goal tree to the sample, the start tree to where that came",
+         .value = takes_turns(options.orders, GrowthOrder::goal_then_start),
+         .why = "neither end is preferred",
+         .source = "Kuffner and LaValle 2000"},
+    };
+}
 /// One search of rrt_connect(): the trees, and the steps of the algorithm by their names.
 template <ConfigurationSpace Space, class Policy>
 class RrtConnect {

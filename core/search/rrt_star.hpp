@@ -7,19 +7,54 @@
 #include <vector>
 
 #include "core/search/limits.hpp"
+#include "core/search/setting.hpp"
 #include "core/search/trees/cost_tree.hpp"
 #include "core/search/trees/one_tree.hpp"
 
 namespace asv::core {
 
+/// What each field is, settings_of() says below.
 struct RrtStarOptions {
-    double step = 0.1;       ///< longest motion of one extension, in the metric
-    double goal_bias = 0.1;  ///< share of the samples that are the goal
-    double radius = 0;       ///< of the neighbours, in the metric; 0: the shrinking one
-    double gamma = 0;        ///< of the shrinking radius; 0: the least one of the theory
-    /// Nodes after which it stops to improve. Without a path it goes on until its limits.
+    double step = 0.1;
+    double goal_bias = 0.1;
+    double radius = 0;
+    double gamma = 0;
     std::size_t nodes = 5000;
 };
+
+inline std::vector<Setting> settings_of(RrtStarOptions& options) {
+    return {
+        {.name = "step",
+         .meaning = "longest motion of an extension; 0: a tenth of the longest side",
+         .value = number(options.step, 0, 1e4, in_metric),
+         .why = "a tenth of the side, a round number, suits every body; rrt_star() itself, which "
+                "knows no sides, has 0.1",
+         .source = "Karaman and Frazzoli 2011"},
+        {.name = "goal-bias",
+         .meaning = "share of the samples that are the goal until it is reached",
+         .value = number(options.goal_bias, 0, 1),
+         .why = "10 %, as reported for a point on a map",
+         .source = "LaValle 1998"},
+        {.name = "radius",
+         .meaning = "of the neighbours; 0: gamma (log n / n)^(1/dimension), at most a step",
+         .value = number(options.radius, 0, 1e4, in_metric),
+         .why = "the shrinking radius of the theory; a fixed one of two steps is reported for a "
+                "point on a map",
+         .source = "Karaman and Frazzoli 2011"},
+        {.name = "gamma",
+         .meaning = "of that formula; 0: the least one of the theory",
+         .value = number(options.gamma, 0, 1e4, in_metric),
+         .why = "the least one with which paths converge to the shortest has the fewest neighbours "
+                "to look at",
+         .source = "Karaman and Frazzoli 2011, theorem 38"},
+        {.name = "nodes",
+         .meaning = "nodes after which it stops to improve its path",
+         .value = number(options.nodes, 2, 1e7),
+         .why = "a round number: some 0.2 s for three ASVs; without a path it goes on until its "
+                "limits",
+         .source = "own"},
+    };
+}
 
 /// The logarithm of the volume of the unit ball, by V(d) = 2 pi / d V(d - 2). Not by std::lgamma:
 /// it writes to a global variable, a data race between threads.

@@ -12,23 +12,52 @@
 #include "core/search/configuration_space.hpp"
 #include "core/search/limits.hpp"
 #include "core/search/region_bias.hpp"
+#include "core/search/setting.hpp"
 #include "core/search/trees/two_trees.hpp"
 #include "geometry/primitives.hpp"
 
 namespace asv::core {
 
-/// Settings of the search by slides and pulls.
+/// Options of the search by slides and pulls. What each field is, settings_of() says below.
 struct SlideAndPullOptions {
-    double pull_share = 0.5;           ///< of the iterations that pull instead of sampling
-    double passage_share = 0.5;        ///< of the pulls whose target lies in a passage
-    std::size_t pull_candidates = 24;  ///< nodes of which the most promising one is pulled
-    /// Share of the iterations that grow a tree along the shortest way of one ASV alone, while it
-    /// gets ahead there. Mazes are solved ten times faster with it.
+    double pull_share = 0.5;
     double guide_share = 0.8;
-    /// After so many of them in vain, the share has fallen to half. A chain that has to turn before
-    /// it can go on must not wait for it.
     double guide_patience = 5;
+    double passage_share = 0.5;
+    std::size_t pull_candidates = 24;
 };
+
+inline std::vector<Setting> settings_of(SlideAndPullOptions& options) {
+    return {
+        {.name = "pull-share",
+         .meaning = "share of the iterations that pull",
+         .value = number(options.pull_share, 0, 1),
+         .why = "a round number; with 0, 7ASV-x2 takes seconds instead of milliseconds",
+         .source = "own"},
+        {.name = "guide-share",
+         .meaning = "share of the iterations that grow a tree along the shortest way of one ASV",
+         .value = number(options.guide_share, 0, 1),
+         .why = "mazes are solved ten times faster than with 0; the rest keeps looking elsewhere",
+         .source = "Denny and others 2016"},
+        {.name = "guide-patience",
+         .meaning = "such iterations in vain after which that share has halved",
+         .value = number(options.guide_patience, 0.01, 1e9),
+         .why = "few, since a chain that has to turn before it can go on must not wait for it; a "
+                "round number",
+         .source = "own"},
+        {.name = "passage-share",
+         .meaning = "share of the pulls whose target lies in a passage (bridge test)",
+         .value = number(options.passage_share, 0, 1),
+         .why = "a round number: passages are what a chain has to be pulled into, the other half "
+                "goes everywhere",
+         .source = "Hsu and others 2003"},
+        {.name = "pull-candidates",
+         .meaning = "nodes of which the most promising one is pulled",
+         .value = number(options.pull_candidates, 1, 1e4),
+         .why = "two dozen, a round number",
+         .source = "own"},
+    };
+}
 
 /// A space whose body can be dragged by one of its points.
 template <class Space>

@@ -1,9 +1,8 @@
 #include "core/solve/planner_catalogue.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
-
-#include "core/solve/settings/settings_of.hpp"
 
 namespace asv::core {
 
@@ -45,25 +44,50 @@ const Entry* find_entry(std::string_view name) {
     return nullptr;
 }
 
+std::vector<Setting> settings_of(AutoPlanner& p) {
+    return joined({settings_of(p.steering), settings_of(p.search)});
+}
+
+std::vector<Setting> settings_of(RrtConnectPlanner& p) {
+    return joined({settings_of(p.space), settings_of(p.search), settings_of(p.extensions),
+                   settings_of(p.sampler)});
+}
+
+std::vector<Setting> settings_of(RrtPlanner& p) {
+    return joined({settings_of(p.search), settings_of(p.sampler)});
+}
+
+std::vector<Setting> settings_of(RrtStarPlanner& p) {
+    return joined({settings_of(p.search), settings_of(p.sampler)});
+}
+
+std::vector<Setting> settings_of(PrmPlanner& p) {
+    return joined({settings_of(p.search), settings_of(p.sampler)});
+}
+
+/// The names of the planners that have the setting: "rrt, rrt-star".
+std::string planners_with(std::string_view setting) {
+    std::string names;
+    for (const Entry& entry : catalogue()) {
+        Planner planner = entry.planner;
+        const auto all = settings(planner);
+        if (std::ranges::find(all, setting, &Setting::name) == all.end()) continue;
+        names += (names.empty() ? "" : ", ") + std::string(entry.name);
+    }
+    return names;
+}
+
 [[noreturn]] void unknown_setting(Planner& planner, std::string_view given) {
     std::ostringstream text;
-    text << "planner " << name(planner) << " has no setting '" << given << "'; there are:";
+    text << "planner " << name(planner) << " has no setting '" << given << "'; ";
+    const std::string others = planners_with(given);
+    if (!others.empty())
+        text << others << (others.find(',') == std::string::npos ? " has; " : " have; ");
+    text << name(planner) << " has:";
     for (const Setting& s : settings(planner))
         text << "\n  " << s.name << ": " << s.meaning << " (" << describe_range(s) << "; default "
              << describe_value(s) << ")";
     throw std::invalid_argument(text.str());
-}
-
-/// The sampler's options of a planner that has some.
-const SamplerOptions* sampler_of(const Planner& planner) {
-    return std::visit(
-        [](const auto& chosen) -> const SamplerOptions* {
-            if constexpr (requires { chosen.sampler; })
-                return &chosen.sampler;
-            else
-                return nullptr;
-        },
-        planner);
 }
 
 }  // namespace
@@ -101,6 +125,17 @@ std::vector<Setting> settings(Planner& planner) {
     return std::visit([](auto& chosen) { return settings_of(chosen); }, planner);
 }
 
+const SamplerOptions* sampler_options(const Planner& planner) {
+    return std::visit(
+        [](const auto& chosen) -> const SamplerOptions* {
+            if constexpr (requires { chosen.sampler; })
+                return &chosen.sampler;
+            else
+                return nullptr;
+        },
+        planner);
+}
+
 void set(Planner& planner, std::string_view setting, std::string_view value) {
     for (const Setting& s : settings(planner))
         if (s.name == setting) return assign(s, value);
@@ -112,7 +147,7 @@ void require_usable(const Planner& planner, BodyKind body) {
         if (connect->search.orders.empty())
             throw std::invalid_argument(
                 "rrt-connect needs at least one order of growing its trees");
-    const SamplerOptions* sampler = sampler_of(planner);
+    const SamplerOptions* sampler = sampler_options(planner);
     if (!sampler) return;
     const auto uses = [&](SamplerKind kind) {
         return sampler->kind == kind || (sampler->kind == SamplerKind::mix &&

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "core/model/body.hpp"
-#include "core/search/extensions/extensions.hpp"
+#include "core/search/extensions/extension_options.hpp"
 #include "core/search/prm.hpp"
 #include "core/search/rrt.hpp"
 #include "core/search/rrt_connect.hpp"
 #include "core/search/rrt_star.hpp"
-#include "core/search/sampling/samplers.hpp"
+#include "core/search/sampling/sampler_options.hpp"
+#include "core/search/setting.hpp"
 #include "core/search/slide_and_pull.hpp"
-#include "core/solve/settings/setting.hpp"
 #include "core/space/ladder_options.hpp"
 #include "core/space/steering/slide_options.hpp"
 
@@ -84,11 +84,14 @@ Planner planner_named(std::string_view name);
 /// Name of the planner that is chosen.
 std::string_view name(const Planner& planner);
 
-/// The settings of the planner, which has to outlive them.
+/// The settings of the planner, which has to outlive them; those of its sampler come last.
 std::vector<Setting> settings(Planner& planner);
 
-/// Sets one setting. Throws std::invalid_argument, which says what there is, for an unknown name or
-/// a value that is out of range.
+/// The options of its sampler; nullptr for a planner that has none.
+const SamplerOptions* sampler_options(const Planner& planner);
+
+/// Sets one setting. Throws std::invalid_argument, which says what there is and which planners have
+/// that setting, for an unknown name or a value that is out of range.
 void set(Planner& planner, std::string_view setting, std::string_view value);
 
 /// Throws std::invalid_argument when the settings contradict each other or do not suit the body.

@@ -15,19 +15,21 @@ namespace asv::io {
 
 enum class PictureFormat { svg, png, pdf };
 
+/// How a line looks; lengths in points of the page, above 0.
 struct Stroke {
     Colour colour;
-    double width = 1;
+    double width = 1;                 ///< a thin line
     std::vector<double> dashes = {};  ///< lengths of dash and gap; empty: a full line
 };
 
 enum class Align { left, centre, right };
 
+/// How text looks.
 struct TextStyle {
     Colour colour;
-    double size = 13;
-    bool bold = false;
-    Align align = Align::left;
+    double size = 13;           ///< of the letters in points of the page, above 0; by eye
+    bool bold = false;          ///< plain unless asked for
+    Align align = Align::left;  ///< as one reads
 };
 
 /// A page to draw on, in points from the upper left, y downwards. The only file that knows cairo.

@@ -14,10 +14,11 @@ Colour along_the_way(const Palette& colours, double progress);
 /// the search trees.
 Stroke path_stroke(const Scene& scene, const Colour& colour);
 
-/// How wide lines are and how large dots; smaller for more ASVs, larger in the inset.
+/// How wide lines are and how large dots, in points of the page, above 0; smaller for more ASVs,
+/// larger in the inset. The defaults were chosen by eye.
 struct Pen {
-    double broom = 1.4;
-    double dot = 1.7;
+    double broom = 1.4;  ///< width
+    double dot = 1.7;    ///< radius
 };
 
 /// Paints obstacles and every line of the scene, without the field's background.

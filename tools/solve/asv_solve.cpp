@@ -21,6 +21,7 @@
 #include "tools/common/command_line.hpp"
 #include "tools/common/interrupt.hpp"
 #include "tools/common/progress_line.hpp"
+#include "tools/solve/planner_list.hpp"
 #include "tools/solve/time_limit_watch.hpp"
 
 namespace {
@@ -36,21 +37,10 @@ struct Arguments {
     std::string problem, solution, stats, trees;
     std::string planner = "auto";
     std::vector<std::string> settings;
+    bool markdown = false;
     core::SolveOptions solve;
     core::Clock::time_point started = core::Clock::now();
 };
-
-void list_planners() {
-    for (const auto name : core::planner_names()) {
-        core::Planner planner = core::planner_named(name);
-        std::cout << name << ": " << core::planner_summary(name) << " ("
-                  << core::planner_source(name) << ")\n";
-        for (const core::Setting& setting : core::settings(planner))
-            std::cout << "    " << std::left << std::setw(20) << setting.name << ' '
-                      << setting.meaning << " (" << core::describe_range(setting) << "; default "
-                      << core::describe_value(setting) << ")\n";
-    }
-}
 
 void add_options(CLI::App& app, Arguments& arguments) {
     core::SolveOptions& solve = arguments.solve;
@@ -77,13 +67,18 @@ void add_options(CLI::App& app, Arguments& arguments) {
     app.add_option("--trees", arguments.trees, "Write the search trees as JSON");
     app.add_flag("--reverse", solve.reverse,
                  "Plan from goal to start; the file still leads from start to goal");
-    app.add_flag_callback(
+    CLI::Option* markdown =
+        app.add_flag("--markdown", arguments.markdown, "With --list-planners: as docs/settings.md");
+    markdown->needs(app.add_flag_callback(
         "--list-planners",
-        [] {
-            list_planners();
+        [&arguments] {
+            if (arguments.markdown)
+                asv::tools::list_planners_as_markdown(std::cout);
+            else
+                asv::tools::list_planners(std::cout);
             throw CLI::Success();
         },
-        "List all planners with their settings and exit");
+        "List all planners with their settings and exit"));
 }
 
 core::Planner chosen_planner(const Arguments& arguments) {

@@ -11,7 +11,7 @@ namespace asv::core {
 /// Extension 6: a sample is kept unless it is farther from the goal than the start is.
 struct ControlChosen {
     /// The start's distance is multiplied by it; infinite: every sample is kept.
-    double reach = 1;
+    double reach;
 
     template <ConfigurationSpace Space>
     bool accept(Space& space, const Query& query, std::span<const double> row) const {

@@ -8,7 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "core/search/extensions/reported.hpp"
 #include "core/search/search_result.hpp"
+#include "core/search/setting.hpp"
 #include "core/search/trees/tree.hpp"
 
 namespace asv::core {
@@ -20,12 +22,38 @@ enum class ExhaustionKind {
     heuristic  ///< a node's distance is scaled by its failed connects
 };
 
+/// What each field is, settings_of() says below.
 struct ExhaustionOptions {
     ExhaustionKind kind = ExhaustionKind::off;
-    std::size_t drop_after = 15;  ///< fails of the plain variant
-    std::size_t centre = 20;      ///< C of the heuristic
-    double share = 0.1;           ///< by which the heuristic brings a node nearer at most
+    std::size_t drop_after = 15;
+    std::size_t centre = 20;
+    double share = 0.1;
 };
+
+inline std::vector<Setting> settings_of(ExhaustionOptions& options) {
+    return {
+        {.name = "exhaustion",
+         .meaning = "extension 3: drop nodes that failed, or scale their distance by their fails",
+         .value = one_of(options.kind, {"off", "plain", "heuristic"}),
+         .why = extension_is_off,
+         .source = extensions_report},
+        {.name = "drop-after",
+         .meaning = "fails after which plain exhaustion drops a node",
+         .value = number(options.drop_after, 1, 1e9),
+         .why = "as reported",
+         .source = extensions_report},
+        {.name = "fails-centre",
+         .meaning = "fails at which heuristic exhaustion prefers a node most, C",
+         .value = number(options.centre, 1, 1e6),
+         .why = "as reported",
+         .source = extensions_report},
+        {.name = "fails-share",
+         .meaning = "share of the distance by which it does",
+         .value = number(options.share, 0, 1),
+         .why = "as reported",
+         .source = extensions_report},
+    };
+}
 
 /// Extension 3: whether a node is chosen for growing depends on how often growing from it failed,
 /// that is, made no progress at all.

@@ -10,6 +10,7 @@
 #include "core/search/extensions/collision_swap.hpp"
 #include "core/search/extensions/control_chosen.hpp"
 #include "core/search/extensions/exhaustion.hpp"
+#include "core/search/extensions/extension_options.hpp"
 #include "core/search/extensions/goal_bias.hpp"
 #include "core/search/extensions/neighbour_cost.hpp"
 #include "core/search/extensions/passage_filter.hpp"
@@ -19,28 +20,6 @@
 /// The seven extensions of RRT-Connect, each alone or in any combination.
 
 namespace asv::core {
-
-/// Which extensions are on, and their reported parameters.
-struct ExtensionOptions {
-    bool swap_limiter = false;
-    std::size_t swap_steps = 5000;  ///< steps of the connect loops after which the trees swap
-    double swap_step = 0.001;       ///< length of one of them, in the metric
-    bool collision_swap = false;
-    ExhaustionOptions exhaustion;
-    bool neighbour_cost = false;
-    double quality_floor = 0.1;
-    bool passage = false;
-    PassageFilter passage_filter;
-    bool control_chosen = false;
-    double control_reach = 1;
-    bool goal_bias = false;
-    double goal_probability = 0.05;
-
-    bool any() const {
-        return swap_limiter || collision_swap || exhaustion.kind != ExhaustionKind::off ||
-               neighbour_cost || passage || control_chosen || goal_bias;
-    }
-};
 
 /// None of them: the base, at no cost.
 struct NoExtensions {

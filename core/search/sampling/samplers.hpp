@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/search/configuration_space.hpp"
+#include "core/search/sampling/sampler_options.hpp"
 #include "core/search/trees/interpolate.hpp"
 
 /// Proposal distributions. A sampler is anything that is called with (space, rng, out) and returns
@@ -165,19 +166,6 @@ class MixedSampler {
   private:
     std::vector<std::pair<double, Sampler<Space>>> parts_;
     double total_ = 0;
-};
-
-/// The samplers by name. Stepwise and corridor need a chain; own is what the space proposes by
-/// itself.
-enum class SamplerKind { own, uniform, grid, stepwise, corridor, gaussian, bridge, passage, mix };
-
-struct SamplerOptions {
-    SamplerKind kind = SamplerKind::own;
-    double sigma = 0;               ///< of Gaussian, bridge and passage, in the metric
-    std::size_t grid_cells = 1000;  ///< of the first grid
-    std::size_t displacements = 5;  ///< that passage sampling looks at
-    /// Of the mix, in the order of SamplerKind, own first.
-    std::array<double, static_cast<std::size_t>(SamplerKind::mix)> weights = {};
 };
 
 /// A space that proposes dimension by dimension, and with an end of the chain in a corridor.

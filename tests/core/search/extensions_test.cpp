@@ -185,7 +185,7 @@ TEST(NeighbourCost, KeepsByTheQualityOfTheNearestNode) {
 
 TEST(ControlChosen, RefusesWhatIsFartherFromTheGoalThanTheStart) {
     PointSpace space({});
-    const ControlChosen control;
+    const ControlChosen control{.reach = 1};
     EXPECT_TRUE(control.accept(space, query, start));
     EXPECT_TRUE(control.accept(space, query, Row{0.5, 0.5}));
     EXPECT_FALSE(control.accept(space, query, Row{0.05, 0.1}));

@@ -25,7 +25,8 @@ std::string refusal(Call&& call) {
 
 /// The value as the setting takes it.
 std::string text(double value, const Setting* setting = nullptr) {
-    if (setting && !setting->words.empty()) return setting->words[static_cast<std::size_t>(value)];
+    if (setting && !setting->value.words.empty())
+        return setting->value.words[static_cast<std::size_t>(value)];
     std::ostringstream out;
     out.precision(17);
     out << value;
@@ -48,7 +49,7 @@ void for_settings(Body&& body) {
 
 double value_of(Planner& planner, const std::string& setting) {
     for (const Setting& s : settings(planner))
-        if (s.name == setting) return s.get();
+        if (s.name == setting) return s.value.get();
     ADD_FAILURE() << "no setting " << setting;
     return 0;
 }
@@ -78,22 +79,25 @@ TEST(Settings, AreDescribedAndDefaultWithinTheirRange) {
         for (const Setting& setting : settings(planner)) {
             EXPECT_TRUE(seen.insert(setting.name).second) << setting.name << " twice";
             EXPECT_FALSE(setting.meaning.empty()) << setting.name;
-            EXPECT_LT(setting.low, setting.high) << setting.name;
+            EXPECT_FALSE(setting.why.empty()) << setting.name;
+            EXPECT_FALSE(setting.source.empty()) << setting.name;
+            EXPECT_LT(setting.value.low, setting.value.high) << setting.name;
         }
     }
     for_settings([](Planner&, const Setting& setting) {
-        EXPECT_GE(setting.get(), setting.low);
-        EXPECT_LE(setting.get(), setting.high);
+        EXPECT_GE(setting.value.get(), setting.value.low);
+        EXPECT_LE(setting.value.get(), setting.value.high);
     });
 }
 
 TEST(Settings, TakeEveryValueOfTheirRange) {
     for_settings([](Planner& planner, const Setting& setting) {
-        const double middle = 0.5 * (setting.low + setting.high);
+        const double middle = 0.5 * (setting.value.low + setting.value.high);
         for (const double value :
-             {setting.low, setting.whole ? std::floor(middle) : middle, setting.high}) {
+             {setting.value.low, setting.value.whole ? std::floor(middle) : middle,
+              setting.value.high}) {
             set(planner, setting.name, text(value, &setting));
-            EXPECT_EQ(setting.get(), value);
+            EXPECT_EQ(setting.value.get(), value);
             EXPECT_EQ(value_of(planner, setting.name), value);
         }
     });
@@ -102,11 +106,12 @@ TEST(Settings, TakeEveryValueOfTheirRange) {
 TEST(Settings, EachSetsItselfAlone) {
     for_settings([](Planner& given, const Setting& setting) {
         Planner planner = planner_named(name(given)), untouched = planner;
-        const double other = setting.get() == setting.low ? setting.high : setting.low;
+        const double other =
+            setting.value.get() == setting.value.low ? setting.value.high : setting.value.low;
         set(planner, setting.name, text(other, &setting));
         for (const Setting& s : settings(planner)) {
             if (s.name != setting.name) {
-                EXPECT_EQ(s.get(), value_of(untouched, s.name)) << s.name;
+                EXPECT_EQ(s.value.get(), value_of(untouched, s.name)) << s.name;
             }
         }
     });
@@ -114,9 +119,9 @@ TEST(Settings, EachSetsItselfAlone) {
 
 TEST(Settings, RefuseWhatIsOutsideOrNoNumber) {
     for_settings([](Planner& planner, const Setting& setting) {
-        const double before = setting.get();
-        std::vector<std::string> bad{text(setting.low - 1),
-                                     text(setting.high + 1),
+        const double before = setting.value.get();
+        std::vector<std::string> bad{text(setting.value.low - 1),
+                                     text(setting.value.high + 1),
                                      "nan",
                                      "inf",
                                      "-inf",
@@ -126,14 +131,14 @@ TEST(Settings, RefuseWhatIsOutsideOrNoNumber) {
                                      " 1",
                                      "0x1",
                                      "1e999"};
-        if (setting.whole) bad.push_back(text(setting.low + 0.5));
+        if (setting.value.whole) bad.push_back(text(setting.value.low + 0.5));
         for (const std::string& value : bad) {
             const std::string message = refusal([&] { set(planner, setting.name, value); });
             EXPECT_NE(message.find(setting.name), std::string::npos) << message;
             EXPECT_NE(message.find("'" + value + "'"), std::string::npos) << message;
             EXPECT_NE(message.find(describe_range(setting)), std::string::npos) << message;
         }
-        EXPECT_EQ(setting.get(), before);
+        EXPECT_EQ(setting.value.get(), before);
     });
 }
 
@@ -161,6 +166,20 @@ TEST(Settings, AnUnknownNameIsToldWhatThereIs) {
             EXPECT_NE(message.find(describe_range(setting)), std::string::npos) << setting.name;
         }
     }
+}
+
+TEST(Settings, AnUnknownNameIsToldWhichPlannersHaveIt) {
+    const auto refused = [](std::string_view planner_name, std::string_view setting) {
+        Planner planner = planner_named(planner_name);
+        const std::string message = refusal([&] { set(planner, setting, "1"); });
+        return message.substr(0, message.find('\n'));
+    };
+    EXPECT_EQ(refused("auto", "ladder"),
+              "planner auto has no setting 'ladder'; rrt-connect has; auto has:");
+    EXPECT_EQ(refused("rrt-connect", "radius"),
+              "planner rrt-connect has no setting 'radius'; rrt-star, prm-grid, prm-random, "
+              "prm-gaussian, prm-bridge have; rrt-connect has:");
+    EXPECT_EQ(refused("rrt", "warp"), "planner rrt has no setting 'warp'; rrt has:");
 }
 
 TEST(Settings, OnAndOffAreNoNumbers) {

@@ -122,6 +122,14 @@ TEST(SolveProgram, ListsEveryPlannerWithItsSettingsAndSource) {
     EXPECT_NE(outcome.out.find("one of dijkstra, a-star; default a-star"), std::string::npos);
 }
 
+TEST(SolveProgram, ThePageOfSettingsIsWhatItPrints) {
+    const Outcome outcome = run_program("asv-solve", {"--list-planners", "--markdown"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out, io::read_file(std::string(ASV_SOURCE_DIR) + "/docs/settings.md"))
+        << "make the page anew: asv-solve --list-planners --markdown > docs/settings.md";
+    EXPECT_EQ(run_program("asv-solve", {"--markdown"}).exit_code, 2);
+}
+
 TEST(SolveProgram, SameSeedSameBytesOtherSeedOtherPath) {
     const TemporaryFolder folder;
     const auto bytes = [&](const std::string& seed, const std::string& name) {
