@@ -26,8 +26,8 @@ Neighbourhood::Neighbourhood(const geometry::Segment& segment)
     if (length > 0) normal_ = {-dy / length, dx / length};
 }
 
-bool Neighbourhood::may_reach(const Box& box, double reach) const {
-    if (!geometry::overlap(box, geometry::grown(bounds_, reach))) return false;
+bool Neighbourhood::may_be_within(const Box& box, double radius) const {
+    if (!geometry::overlap(box, geometry::grown(bounds_, radius))) return false;
     const double half_width = (box.high.x - box.low.x) / 2;
     const double half_height = (box.high.y - box.low.y) / 2;
     const double x = box.low.x + half_width - origin_.x;
@@ -39,7 +39,7 @@ bool Neighbourhood::may_reach(const Box& box, double reach) const {
     const double size = std::abs(box.low.x) + std::abs(box.high.x) + std::abs(box.low.y) +
                         std::abs(box.high.y) + std::abs(origin_.x) + std::abs(origin_.y);
     const double slack = 64 * std::numeric_limits<double>::epsilon() * size;
-    return !(away > shadow + reach + slack);
+    return !(away > shadow + radius + slack);
 }
 
 BoxTree::BoxTree(std::span<const Box> boxes) {

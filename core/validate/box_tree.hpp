@@ -10,15 +10,15 @@
 
 namespace asv::core::validation {
 
-/// The points within some reach of a segment, or a little more: what is left of the plane after
+/// The points within some distance of a segment, or a little more: what is left of the plane after
 /// cutting along the axes and along the segment.
 class Neighbourhood {
   public:
     explicit Neighbourhood(const geometry::Segment& segment);
 
-    /// False only when the box is farther from the segment than reach. Precondition: reach >= 0,
-    /// box not empty.
-    bool may_reach(const geometry::Box& box, double reach) const;
+    /// False only when the box is farther from the segment than the radius. Precondition: radius >=
+    /// 0, box not empty.
+    bool may_be_within(const geometry::Box& box, double radius) const;
 
   private:
     geometry::Point origin_;
@@ -34,10 +34,10 @@ class BoxTree {
     /// Empty boxes are left out; the others keep their index. O(m log m).
     explicit BoxTree(std::span<const geometry::Box> boxes);
 
-    /// Calls visit(index, box) for every box within reach of the segment, and for some others;
-    /// visit may reduce reach while the search goes on. Precondition: reach >= 0.
+    /// Calls visit(index, box) for every box within the radius of the segment, and for some others;
+    /// visit may reduce the radius while the search goes on. Precondition: radius >= 0.
     template <typename Visit>
-    void for_each_near(const geometry::Segment& segment, const double& reach,
+    void for_each_near(const geometry::Segment& segment, const double& radius,
                        const Visit& visit) const {
         if (nodes_.empty()) return;
         const Neighbourhood near(segment);
@@ -48,14 +48,15 @@ class BoxTree {
         while (count > 0) {
             const std::uint32_t index = pending[--count];
             const Node& node = nodes_[index];
-            if (!near.may_reach(node.bounds, reach)) continue;
+            if (!near.may_be_within(node.bounds, radius)) continue;
             if (node.right != 0) {
                 pending[count++] = node.right;
                 pending[count++] = index + 1;
                 continue;
             }
             for (std::uint32_t i = node.begin; i < node.end; ++i) {
-                if (near.may_reach(items_[i].box, reach)) visit(items_[i].index, items_[i].box);
+                if (near.may_be_within(items_[i].box, radius))
+                    visit(items_[i].index, items_[i].box);
             }
         }
     }

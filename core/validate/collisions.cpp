@@ -26,9 +26,9 @@ std::vector<Box> shrunk(std::span<const Box> boxes, double tolerance) {
 Obstacles::Obstacles(std::span<const Box> boxes, double tolerance)
     : tree_(shrunk(boxes, tolerance)) {}
 
-Finding Obstacles::check(State state, double reach) const {
+Finding Obstacles::check(State state, double radius) const {
     Finding worst;
-    double near = std::max(reach, 0.0);
+    double near = std::max(radius, 0.0);
     for (std::size_t i = 0; i + 1 < state.size(); ++i) {
         const Segment broom{state[i], state[i + 1]};
         tree_.for_each_near(broom, near, [&](std::size_t index, const Box& box) {
@@ -42,8 +42,8 @@ Finding Obstacles::check(State state, double reach) const {
     return worst;
 }
 
-Finding Obstacles::check_point(const Segment& motion, double reach) const {
-    Finding worst = check(std::array{motion.a, motion.b}, reach);
+Finding Obstacles::check_point(const Segment& motion, double radius) const {
+    Finding worst = check(std::array{motion.a, motion.b}, radius);
     worst.offender.broom.reset();
     return worst;
 }

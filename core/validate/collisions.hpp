@@ -16,13 +16,13 @@ class Obstacles {
     Obstacles(std::span<const geometry::Box> boxes, double tolerance);
 
     /// No broom meets an obstacle; decided exactly. Room: the distance between the two, negated
-    /// the least shift that would part them. Pairs with room of at least `reach` are passed over
+    /// the least shift that would part them. Pairs with room of at least `radius` are passed over
     /// (a finding without any pair has infinite room). Precondition: finite coordinates.
-    Finding check(State state, double reach) const;
+    Finding check(State state, double radius) const;
 
     /// The same for a point that moves straight: no obstacle meets the segment, which may be a
     /// point as well.
-    Finding check_point(const geometry::Segment& motion, double reach) const;
+    Finding check_point(const geometry::Segment& motion, double radius) const;
 
     const BoxTree& tree() const { return tree_; }
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/validate/validate.hpp"
+#include "core/validate/report.hpp"
 
 namespace asv::core::validation {
 

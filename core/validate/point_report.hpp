@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/model/path.hpp"
 #include "core/model/problem.hpp"
+#include "core/validate/report.hpp"
 #include "core/validate/state_checks.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validate/validation_options.hpp"
 
 namespace asv::core::validation {
 

@@ -45,6 +45,11 @@ std::optional<Finding> find_not_finite(State state) {
     return std::nullopt;
 }
 
+std::optional<Finding> find_not_finite(State from, State to) {
+    const std::optional<Finding> found = find_not_finite(from);
+    return found ? found : find_not_finite(to);
+}
+
 Finding check_side_length(State state, std::size_t i, double length, double tolerance) {
     const double off = std::abs(distance(state[i], state[i + 1]) - length);
     Finding finding;

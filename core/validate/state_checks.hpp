@@ -17,6 +17,8 @@ using State = std::span<const geometry::Point>;
 
 /// The first ASV whose position is not finite, as a violation of whatever is checked, if any.
 std::optional<Finding> find_not_finite(State state);
+/// Likewise of a step, from its first state on.
+std::optional<Finding> find_not_finite(State from, State to);
 
 /// The distance of neighbouring ASVs is within the tolerance of the broom length. Room: length.
 Finding check_broom_lengths(State state, const Requirements& requirements);

@@ -98,11 +98,11 @@ Finding check_arm_motion_bounds(const ArmMotion& motion, const Requirements& req
 }
 
 Finding check_arm_motion_collisions(const ArmMotion& motion, const Obstacles& obstacles,
-                                    double reach) {
+                                    double radius) {
     Finding worst;
     for (std::size_t i = 0; i < motion.link_count(); ++i) {
         const double moved = 1.000001 * motion.bound(i);
-        const double near = std::max(std::min(reach, worst.offender.room), 0.0) + moved;
+        const double near = std::max(std::min(radius, worst.offender.room), 0.0) + moved;
         obstacles.tree().for_each_near(
             motion.link(i, 0), near, [&](std::size_t index, const Box& box) {
                 const auto room = [&](double t) {

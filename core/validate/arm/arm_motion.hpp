@@ -33,8 +33,8 @@ class ArmMotion {
 Finding check_arm_motion_bounds(const ArmMotion& motion, const Requirements& requirements);
 
 /// No link meets an obstacle at any time; holds only when proven: at some time the distance is more
-/// than the link can move until the next one. Pairs that keep `reach` are passed over.
+/// than the link can move until the next one. Pairs that keep `radius` are passed over.
 Finding check_arm_motion_collisions(const ArmMotion& motion, const Obstacles& obstacles,
-                                    double reach);
+                                    double radius);
 
 }  // namespace asv::core::validation

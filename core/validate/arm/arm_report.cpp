@@ -7,6 +7,7 @@
 #include "core/validate/arm/arm_motion.hpp"
 #include "core/validate/collisions.hpp"
 #include "core/validate/path_checks.hpp"
+#include "core/validate/path_tally.hpp"
 
 namespace asv::core::validation {
 
@@ -78,9 +79,7 @@ std::vector<CheckResult> certify(const Path& path, const Problem& problem, const
                                  bool list) {
     Tally bounds(Check::bounds, list, kind), collisions(Check::collisions, list, kind);
     for (std::size_t i = 1; i < path.size(); ++i) {
-        std::optional<Finding> bad = find_not_finite(path.state(i - 1));
-        if (!bad) bad = find_not_finite(path.state(i));
-        if (bad) {
+        if (const std::optional<Finding> bad = find_not_finite(path.state(i - 1), path.state(i))) {
             bounds.add(*bad, i);
             collisions.add(*bad, i);
             continue;
@@ -88,8 +87,8 @@ std::vector<CheckResult> certify(const Path& path, const Problem& problem, const
         const ArmMotion motion(arm.links, problem.start[0], headings(arm, angles[i - 1]),
                                headings(arm, angles[i]));
         bounds.add(check_arm_motion_bounds(motion, requirements), i);
-        const double reach = collisions.worst().offender.room;
-        collisions.add(check_arm_motion_collisions(motion, obstacles, reach), i);
+        const double radius = collisions.worst().offender.room;
+        collisions.add(check_arm_motion_collisions(motion, obstacles, radius), i);
     }
     return {std::move(bounds).result(), std::move(collisions).result()};
 }
@@ -104,18 +103,15 @@ ValidationReport report_arm(const Problem& problem, const PlanarArm& arm, const 
     const auto angles = read_angles(path, arm);
     ValidationReport report;
 
-    Tally ends(Check::ends, list, kind), steps(Check::steps, list, kind),
-        cost(Check::cost, list, kind);
-    ends.add(check_end(path.state(0), problem.start, requirements), 0);
+    PathTally tally(requirements, list, kind);
+    tally.add_end(check_end(path.state(0), problem.start, requirements), 0);
     Finding end = check_end(path.state(last), problem.goal, requirements);
     keep_worse(end, check_turns(angles[last], arm.goal, arm));
-    ends.add(end, last);
-    for (std::size_t i = 1; i <= last; ++i) {
-        steps.add(check_step(path.state(i - 1), path.state(i), requirements), i);
-        report.cost += joint_distance(angles[i - 1], angles[i]);
-    }
-    cost.add(check_cost(solution.cost, report.cost, requirements), 0);
-    for (Tally* tally : {&ends, &steps, &cost}) report.checks.push_back(std::move(*tally).result());
+    tally.add_end(end, last);
+    for (std::size_t i = 1; i <= last; ++i)
+        tally.add_step(path.state(i - 1), path.state(i), joint_distance(angles[i - 1], angles[i]),
+                       i);
+    std::move(tally).finish(solution.cost, report);
 
     const Obstacles obstacles(problem.obstacles, requirements.tolerance);
     ArmStates states(problem, arm, requirements, obstacles, list);

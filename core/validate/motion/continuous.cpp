@@ -19,9 +19,7 @@ std::vector<CheckResult> certify_motion(const Path& path, const Requirements& re
     for (std::size_t step = 1; step < path.size(); ++step) {
         const State from = path.state(step - 1);
         const State to = path.state(step);
-        std::optional<Finding> bad = find_not_finite(from);
-        if (!bad) bad = find_not_finite(to);
-        if (bad) {
+        if (const std::optional<Finding> bad = find_not_finite(from, to)) {
             for (Tally& tally : tallies) tally.add(*bad, step);
             continue;
         }
@@ -30,8 +28,8 @@ std::vector<CheckResult> certify_motion(const Path& path, const Requirements& re
         convexity.add(check_motion_convexity(motion, requirements), step);
         area.add(check_motion_area(motion, requirements), step);
         bounds.add(check_motion_bounds(motion, requirements), step);
-        const double reach = collisions.worst().offender.room;
-        collisions.add(check_motion_collisions(motion, obstacles, reach), step);
+        const double radius = collisions.worst().offender.room;
+        collisions.add(check_motion_collisions(motion, obstacles, radius), step);
     }
     std::vector<CheckResult> results;
     for (Tally& tally : tallies) results.push_back(std::move(tally).result());

@@ -99,14 +99,14 @@ std::optional<double> first_contact(const MovingBroom& broom, const Box& box) {
     return Separation(broom, box).first_contact(0, 1);
 }
 
-Finding check_motion_collisions(const Motion& motion, const Obstacles& obstacles, double reach) {
+Finding check_motion_collisions(const Motion& motion, const Obstacles& obstacles, double radius) {
     Finding worst;
     for (std::size_t i = 0; i + 1 < motion.size(); ++i) {
         const MovingBroom broom{motion[i], motion[i + 1]};
         // A point of the broom moves as a mean of its ends, so no farther than the farther one.
         const double moved = 1.000001 * std::max(distance(broom.a.from, broom.a.to),
                                                  distance(broom.b.from, broom.b.to));
-        double near = std::max(std::min(reach, worst.offender.room), 0.0) + moved;
+        double near = std::max(std::min(radius, worst.offender.room), 0.0) + moved;
         obstacles.tree().for_each_near(at(broom, 0), near, [&](std::size_t index, const Box& box) {
             Finding finding = judge(broom, box);
             finding.offender.broom = i;

@@ -17,7 +17,7 @@ struct MovingBroom {
 std::optional<double> first_contact(const MovingBroom& broom, const geometry::Box& box);
 
 /// No broom meets an obstacle at any time of the motion; holds only when proven. Room: the least
-/// of the clearances at a few times, for information; pairs that keep `reach` are passed over.
-Finding check_motion_collisions(const Motion& motion, const Obstacles& obstacles, double reach);
+/// of the clearances at a few times, for information; pairs that keep `radius` are passed over.
+Finding check_motion_collisions(const Motion& motion, const Obstacles& obstacles, double radius);
 
 }  // namespace asv::core::validation

@@ -1,8 +1,9 @@
+#include "core/validate/report.hpp"
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-
-#include "core/validate/validate.hpp"
 
 namespace asv::core {
 namespace {
@@ -17,28 +18,24 @@ std::string numbered(const char* what, const std::optional<std::size_t>& index) 
     return std::string(what) + " " + (index ? std::to_string(*index + 1) : "?");
 }
 
+/// What a point and what a line of a body is called.
+struct PartNames {
+    const char* point;
+    const char* link;
+};
+
+PartNames part_names(BodyKind body) {
+    return body == BodyKind::chain ? PartNames{"ASV", "broom"} : PartNames{"point", "link"};
+}
+
 std::string point_name(const Offender& offender) {
-    switch (offender.body) {
-        case BodyKind::chain:
-            return numbered("ASV", offender.asv);
-        case BodyKind::arm:
-            return numbered("point", offender.asv);
-        case BodyKind::point:
-            break;
-    }
-    return "the point";
+    if (offender.body == BodyKind::point) return "the point";
+    return numbered(part_names(offender.body).point, offender.asv);
 }
 
 std::string link_name(const Offender& offender) {
-    switch (offender.body) {
-        case BodyKind::chain:
-            return numbered("broom", offender.broom);
-        case BodyKind::arm:
-            return numbered("link", offender.broom);
-        case BodyKind::point:
-            break;
-    }
-    return "the point";
+    if (offender.body == BodyKind::point) return "the point";
+    return numbered(part_names(offender.body).link, offender.broom);
 }
 
 std::string describe_turn(const Offender& offender, const std::string& by) {
@@ -102,6 +99,12 @@ std::string describe(Check check, const Offender& offender) {
             return numbered("joint", offender.asv) + " is past its limit" + by + " rad";
     }
     return {};
+}
+
+bool ValidationReport::valid() const {
+    const auto holds = [](const CheckResult& result) { return result.ok(); };
+    return std::all_of(checks.begin(), checks.end(), holds) &&
+           std::all_of(motion.begin(), motion.end(), holds);
 }
 
 std::string describe(const CheckResult& result) {
