@@ -21,7 +21,7 @@ struct ChainOptions {
     double clearance = 0.001;   ///< least distance of start and goal to obstacles and bounds, >= 0
     double area_margin = 0.02;  ///< how far above the minimum area, as a share of it, 0 to 0.2
     double min_turn = 1e-4;     ///< of every vertex, so that none is straight; radians, 0 to 0.01
-    double min_closing = 0.01;  ///< length of the closing side, in workspace units, 0 to 0.05
+    double min_closing_side = 0.01;  ///< length of the closing side, in workspace units, 0 to 0.05
 };
 
 /// No start or goal was found in the space that the other parameters leave.

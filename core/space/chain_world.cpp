@@ -38,7 +38,7 @@ ChainWorld::ChainWorld(const Problem& given, Anchor anchor)
       problem(counter_clockwise(given, transposed)),
       chain(problem.asv_count(), problem.requirements.broom_length, anchor),
       constraints(make_constraints(problem, chain)),
-      field(constraints.boxes),
+      field(constraints.obstacles),
       metric(mean_metric(problem, chain)),
       start(chain.dimension()),
       goal(chain.dimension()) {

@@ -74,7 +74,7 @@ void add_common_options(CLI::App& app, Arguments& arguments) {
     app.add_option("--least-turn", chain.min_turn,
                    "Least turn at every ASV of start and goal, in radians")
         ->capture_default_str();
-    app.add_option("--least-closing", chain.min_closing,
+    app.add_option("--least-closing", chain.min_closing_side,
                    "Least distance of the first to the last ASV of start and goal")
         ->capture_default_str();
     app.add_flag("--solvable", arguments.solvable,

@@ -53,11 +53,13 @@ bool prove_closing_side(const LineMotion& motion, const ChainConstraints& constr
     const double first_rate = motion.heading_rate().front();
     const double last_rate = motion.heading_rate().back();
 
-    const double first = cross(rx, ry, first_ux, first_uy) - constraints.min_first_turn + rounding;
+    const double first =
+        cross(rx, ry, first_ux, first_uy) - constraints.min_first_closing_turn + rounding;
     const double first_slope =
         cross(rvx, rvy, first_ux, first_uy) + first_rate * cross(rx, ry, -first_uy, first_ux);
     if (!stretch.limit(first, first_slope, curvature.first_closing_turn)) return false;
-    const double last = cross(last_ux, last_uy, rx, ry) - constraints.min_last_turn + rounding;
+    const double last =
+        cross(last_ux, last_uy, rx, ry) - constraints.min_last_closing_turn + rounding;
     const double last_slope =
         cross(last_ux, last_uy, rvx, rvy) + last_rate * cross(-last_uy, last_ux, rx, ry);
     if (!stretch.limit(last, last_slope, curvature.last_closing_turn)) return false;
@@ -65,7 +67,7 @@ bool prove_closing_side(const LineMotion& motion, const ChainConstraints& constr
     const double length = std::hypot(rx, ry);
     const double slope = length > 0 ? (rx * rvx + ry * rvy) / length : 0;
     // A distance bends upwards where it bends by moving sideways, so only r'' can lower it.
-    return stretch.limit(length - constraints.min_closing + rounding, slope,
+    return stretch.limit(length - constraints.min_closing_side + rounding, slope,
                          curvature.closing_side);
 }
 
