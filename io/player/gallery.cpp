@@ -12,6 +12,7 @@
 #include "io/solution/run_facts.hpp"
 #include "io/solution/solution_file.hpp"
 #include "io/text/atomic_file.hpp"
+#include "io/text/markup.hpp"
 #include "io/text/parse_error.hpp"
 
 namespace asv::io {

@@ -1,8 +1,6 @@
-#include "io/drawing/canvas.hpp"
+#include "io/drawing/paint/canvas.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -10,6 +8,8 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <cairo.h>
+
+#include "io/text/markup.hpp"
 
 namespace asv::io {
 
@@ -49,33 +49,6 @@ cairo_surface_t* make_surface(PictureFormat format, double width, double height,
         }
     }
     throw std::invalid_argument("format: not a picture format");
-}
-
-/// cairo writes six decimals of every number; a hundredth of a point is more than a screen shows,
-/// and takes a quarter less.
-std::string with_two_decimals(std::string_view svg) {
-    std::string result;
-    result.reserve(svg.size());
-    const char* at = svg.data();
-    const char* const end = at + svg.size();
-    while (at != end) {
-        if (*at < '0' || *at > '9') {
-            result += *at++;
-            continue;
-        }
-        double value = 0;
-        const char* const past = std::from_chars(at, end, value, std::chars_format::fixed).ptr;
-        if (past - std::find(at, past, '.') > 3) {
-            std::array<char, 32> shortest{};
-            const auto written = std::to_chars(shortest.data(), shortest.data() + shortest.size(),
-                                               std::round(value * 100) / 100);
-            result.append(shortest.data(), written.ptr);
-        } else {
-            result.append(at, past);
-        }
-        at = past;
-    }
-    return result;
 }
 
 }  // namespace
@@ -255,6 +228,8 @@ std::string Canvas::finish(std::string_view title, std::string_view description)
     }
     cairo_surface_finish(surface);
     check(cairo_surface_status(surface));
+    // cairo writes six decimals of every number; a hundredth of a point is more than a screen
+    // shows, and takes a quarter less.
     if (format_ == PictureFormat::svg) bytes_ = with_two_decimals(bytes_);
     const std::size_t root = bytes_.find("<svg ");
     if (format_ == PictureFormat::svg && root != std::string::npos) {
@@ -264,32 +239,6 @@ std::string Canvas::finish(std::string_view title, std::string_view description)
         bytes_.insert(root + 5, "role=\"img\" ");
     }
     return std::move(bytes_);
-}
-
-std::string escape_markup(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            case '\'':
-                result += "&#39;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
 }
 
 }  // namespace asv::io

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/primitives.hpp"
-#include "io/drawing/palette.hpp"
+#include "io/drawing/paint/palette.hpp"
 
 typedef struct _cairo cairo_t;
 
@@ -75,8 +75,5 @@ class Canvas {
     std::unique_ptr<Handles> handles_;
     cairo_t* cairo_;
 };
-
-/// The text with the five characters that XML and HTML reserve written as entities.
-std::string escape_markup(std::string_view text);
 
 }  // namespace asv::io

@@ -1,18 +1,11 @@
-#include "io/drawing/scene.hpp"
+#include "io/drawing/scene/scene.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-
-#include <boost/geometry/algorithms/simplify.hpp>
-#include <boost/geometry/geometries/linestring.hpp>
-#include <boost/geometry/geometries/register/point.hpp>
-#include <boost/geometry/strategies/strategies.hpp>
-
-BOOST_GEOMETRY_REGISTER_POINT_2D(asv::geometry::Point, double, boost::geometry::cs::cartesian, x, y)
 
 #include "core/model/cost.hpp"
 #include "core/model/planning_window.hpp"
+#include "io/drawing/scene/simplified_line.hpp"
 
 namespace asv::io {
 
@@ -223,40 +216,7 @@ class Composer {
     const Exhibit& exhibit_;
 };
 
-std::string text(const Point& point) {
-    return fixed(point.x, 4) + "," + fixed(point.y, 4);
-}
-
 }  // namespace
-
-std::vector<Point> simplified(const std::vector<Point>& points, double distance) {
-    boost::geometry::model::linestring<Point> line(points.begin(), points.end());
-    boost::geometry::model::linestring<Point> result;
-    boost::geometry::simplify(line, result, distance);
-    return {result.begin(), result.end()};
-}
-
-std::string_view name(Role role) {
-    switch (role) {
-        case Role::path:
-            return "path";
-        case Role::ghost_closing:
-            return "ghost closing";
-        case Role::ghost:
-            return "ghost";
-        case Role::start_closing:
-            return "start closing";
-        case Role::goal_closing:
-            return "goal closing";
-        case Role::start:
-            return "start";
-        case Role::goal:
-            return "goal";
-        case Role::violation:
-            return "violation";
-    }
-    return "";
-}
 
 Scene make_scene(const Exhibit& exhibit) {
     Composer composer(exhibit);
@@ -268,34 +228,6 @@ Scene make_scene(const Exhibit& exhibit) {
     std::stable_sort(composer.scene.lines.begin(), composer.scene.lines.end(),
                      [](const SceneLine& a, const SceneLine& b) { return a.role < b.role; });
     return std::move(composer.scene);
-}
-
-std::string outline(const Scene& scene) {
-    std::ostringstream out;
-    out << "field " << text(scene.field.low) << " " << text(scene.field.high) << "\n";
-    for (const auto& box : scene.obstacles) {
-        out << "obstacle " << text(box.low) << " " << text(box.high) << "\n";
-    }
-    for (const SceneTree& tree : scene.trees) {
-        out << "tree " << static_cast<int>(tree.kind) << " edges " << tree.edges.size() << " roots "
-            << tree.roots.size() << " nodes " << tree.nodes.size() << "\n";
-    }
-    for (const SceneLine& line : scene.lines) {
-        out << name(line.role) << " " << line.index << " at " << fixed(line.progress, 2);
-        for (const Point& point : line.points) out << " " << text(point);
-        out << "\n";
-    }
-    if (scene.least) {
-        out << "least clearance " << fixed(scene.least->clearance, 4) << " state "
-            << scene.least->state << " " << text(scene.least->link.a) << " "
-            << text(scene.least->link.b) << " tight from " << scene.least->first_state << " to "
-            << scene.least->last_state << "\n";
-    }
-    for (const SceneViolation& violation : scene.violations) {
-        out << "violated " << core::name(violation.check) << " state " << violation.state << " "
-            << text(violation.at) << "\n";
-    }
-    return out.str();
 }
 
 }  // namespace asv::io

@@ -1,12 +1,13 @@
-#include "io/drawing/strip_painter.hpp"
+#include "io/drawing/paint/strip_painter.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <sstream>
 
-#include "io/drawing/field_painter.hpp"
+#include "io/drawing/paint/field_painter.hpp"
+#include "io/drawing/paint/legend.hpp"
+#include "io/drawing/scene/simplified_line.hpp"
 
 namespace asv::io {
 
@@ -16,106 +17,9 @@ using geometry::Box;
 using geometry::Point;
 using geometry::Segment;
 
-constexpr double legend_line = 24;
-constexpr double swatch = 34;  ///< the drawing of an entry, and a gap
 constexpr double caption_height = 50;
 constexpr double inset_radius = 84;
 constexpr double plot_height = 92;
-
-/// One entry of the legend: a small drawing, 30 points wide, and words.
-struct Entry {
-    std::string words;
-    std::function<void(Canvas&, const Point&)> draw;  ///< at is the left end of its middle line
-};
-
-void add_line_entry(std::vector<Entry>& entries, std::string words, Stroke stroke, double dot) {
-    entries.push_back(
-        {std::move(words), [stroke, dot](Canvas& canvas, const Point& at) {
-             const std::array<Point, 2> ends{Point{at.x + 3, at.y}, Point{at.x + 27, at.y}};
-             canvas.stroke_line(ends, stroke);
-             if (dot == 0) return;
-             for (const Point& end : ends) {
-                 canvas.fill_circle(end, dot, stroke.colour);
-             }
-         }});
-}
-
-std::vector<Entry> legend(const Scene& scene, const Palette& colours) {
-    std::vector<Entry> entries;
-    const Colour middle = along_the_way(colours, 0.5);
-    const BodyWords words = words_for(scene.body);
-    const std::string eye = words.first.empty() ? "" : " (" + words.first + ")";
-    add_line_entry(entries, "start" + eye, {colours.start, 3}, 4);
-    add_line_entry(entries, "goal", {colours.goal, 3}, 4);
-    if (scene.ghosts > 0) {
-        add_line_entry(entries,
-                       words.chain + " on its way, evenly in " +
-                           (scene.body == core::BodyKind::arm ? "cost" : "distance"),
-                       {middle, 1.5}, 1.8);
-    }
-    const auto has = [&](Role role) {
-        return std::any_of(scene.lines.begin(), scene.lines.end(),
-                           [&](const SceneLine& line) { return line.role == role; });
-    };
-    if (has(Role::path)) {
-        const bool first = !scene.trees.empty();
-        add_line_entry(entries, first ? words.seen_path : words.path, path_stroke(scene, middle),
-                       0);
-    }
-    if (has(Role::start_closing)) {
-        add_line_entry(entries, "closing side", {faded(middle, 0.75), 1.2, {3, 4}}, 0);
-    }
-    for (const SceneTree& tree : scene.trees) {
-        const bool start = tree.kind == SceneTree::Kind::start;
-        const bool roadmap = tree.kind == SceneTree::Kind::roadmap;
-        const Colour colour = roadmap ? colours.least : start ? colours.start : colours.goal;
-        const std::string what = roadmap ? "roadmap" : start ? "start tree" : "goal tree";
-        add_line_entry(entries, what + " (" + words.seen + ")", {faded(colour, 0.6), 0.9}, 0);
-    }
-    if (scene.least) {
-        entries.push_back(
-            {"least clearance, and where it is tight", [&](Canvas& canvas, const Point& at) {
-                 const Point centre{at.x + 15, at.y};
-                 canvas.fill_circle(centre, 4, faded(colours.least, 0.5));
-                 canvas.stroke_circle(centre, 8, {colours.least, 2.2});
-             }});
-    }
-    if (!scene.violations.empty()) {
-        entries.push_back({"violated requirement", [&](Canvas& canvas, const Point& at) {
-                               paint_violation_mark(canvas, {at.x + 15, at.y}, colours);
-                           }});
-    }
-    return entries;
-}
-
-/// The left end of each entry, set line by line from the origin, and the height of all lines.
-struct LegendLayout {
-    std::vector<Point> places;
-    double height = 0;
-};
-
-LegendLayout lay_out(Canvas& canvas, const std::vector<Entry>& entries, double width) {
-    LegendLayout layout;
-    Point at{0, 0};
-    for (const Entry& entry : entries) {
-        const double needed = swatch + canvas.text_width(entry.words, {{}, Page::text_size});
-        if (at.x > 0 && at.x + needed > width) at = {0, at.y + legend_line};
-        layout.places.push_back(at);
-        at.x += needed + 20;
-    }
-    layout.height = at.y + legend_line;
-    return layout;
-}
-
-void paint_legend(Canvas& canvas, const std::vector<Entry>& entries, const Point& corner,
-                  double width, const Palette& colours) {
-    const LegendLayout layout = lay_out(canvas, entries, width);
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        const Point at{corner.x + layout.places[i].x, corner.y + layout.places[i].y};
-        entries[i].draw(canvas, at);
-        canvas.text({at.x + swatch, at.y + 4.5}, entries[i].words, {colours.ink, Page::text_size});
-    }
-}
 
 /// The legend leaves room for the inset where there is one.
 double legend_width(const Scene& scene) {
@@ -253,7 +157,7 @@ double strip_height(const Exhibit& exhibit, const Scene& scene) {
     // Text is a little wider in some formats than in others: rather a line too many.
     Canvas ruler(PictureFormat::png, 1, 1, 1);
     const double lines =
-        lay_out(ruler, legend(scene, palette(Theme::light)), 0.97 * legend_width(scene)).height;
+        legend_height(ruler, legend(scene, palette(Theme::light)), 0.97 * legend_width(scene));
     return lines + (exhibit.tightest_state ? caption_height + plot_height + 8 : 0);
 }
 

@@ -1,4 +1,4 @@
-#include "io/drawing/field_painter.hpp"
+#include "io/drawing/paint/field_painter.hpp"
 
 #include <algorithm>
 #include <array>

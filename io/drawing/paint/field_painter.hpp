@@ -1,9 +1,9 @@
 #pragma once
 
-#include "io/drawing/canvas.hpp"
-#include "io/drawing/page.hpp"
-#include "io/drawing/palette.hpp"
-#include "io/drawing/scene.hpp"
+#include "io/drawing/paint/canvas.hpp"
+#include "io/drawing/paint/page.hpp"
+#include "io/drawing/paint/palette.hpp"
+#include "io/drawing/scene/scene.hpp"
 
 namespace asv::io {
 

@@ -1,4 +1,4 @@
-#include "io/drawing/page.hpp"
+#include "io/drawing/paint/page.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "io/drawing/exhibit.hpp"
@@ -12,9 +10,6 @@ namespace asv::io {
 
 /// What a line of a picture stands for. Lines are painted in this order, later ones on top.
 enum class Role { path, ghost_closing, ghost, start_closing, goal_closing, start, goal, violation };
-
-/// "path", "ghost closing", ...
-std::string_view name(Role role);
 
 /// One line in workspace units.
 struct SceneLine {
@@ -70,13 +65,5 @@ struct Scene {
 /// less than a picture can show; a path of an ASV is cut at every ghost. With search trees, only
 /// ASV 1 has its path shown, since the trees are drawn through it.
 Scene make_scene(const Exhibit& exhibit);
-
-/// The line without the points that lie nearer to it than the distance (Douglas and Peucker 1973).
-std::vector<geometry::Point> simplified(const std::vector<geometry::Point>& points,
-                                        double distance);
-
-/// One line of text for each thing in the scene, coordinates with 4 digits: for tests and for
-/// comparing two pictures by diff.
-std::string outline(const Scene& scene);
 
 }  // namespace asv::io
