@@ -1,6 +1,6 @@
 #include "core/bounds/feasibility.hpp"
 #include "core/solve/solve.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 
 /// What solve() tells of its result and of a problem that it refuses, in words.
 

@@ -13,7 +13,7 @@
 #include "core/model/cost.hpp"
 #include "core/model/planning_window.hpp"
 #include "core/solve/bodies/body_solver.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 
 namespace asv::core {
 

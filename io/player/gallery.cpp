@@ -5,7 +5,7 @@
 #include <map>
 
 #include "core/bounds/lower_bound.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "io/drawing/drawing.hpp"
 #include "io/player/assets.hpp"
 #include "io/player/player.hpp"

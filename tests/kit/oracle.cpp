@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "geometry/predicates/distance.hpp"
 #include "geometry/predicates/polygon.hpp"
 
