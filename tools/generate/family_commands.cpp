@@ -10,24 +10,23 @@ namespace asv::tools {
 
 namespace {
 
-void add_height(CLI::App& command, core::PassageHeight& height) {
+/// Adds --NAME-factor and --NAME, of which one sets how high or wide something is.
+/// Size: core::PassageHeight or core::WayWidth.
+template <class Size>
+void add_size(CLI::App& command, Size& size, const std::string& name, const std::string& meaning) {
     CLI::Option* factor =
-        command
-            .add_option("--height-factor", height.factor,
-                        "Height of a corridor or door, as a multiple of the least height of a "
-                        "flat chain")
-            ->capture_default_str();
-    command.add_option("--height", height.absolute, "The same in workspace units")
-        ->excludes(factor);
+        command.add_option("--" + name + "-factor", size.factor, meaning)->capture_default_str();
+    command.add_option("--" + name, size.absolute, "The same in workspace units")->excludes(factor);
+}
+
+void add_height(CLI::App& command, core::PassageHeight& height) {
+    add_size(command, height, "height",
+             "Height of a corridor or door, as a multiple of the least height of a flat chain");
 }
 
 void add_way(CLI::App& command, core::WayWidth& way, const std::string& name) {
-    CLI::Option* factor =
-        command
-            .add_option("--" + name + "-factor", way.factor,
-                        "Width of the " + name + ", as a multiple of the diameter of a round chain")
-            ->capture_default_str();
-    command.add_option("--" + name, way.absolute, "The same in workspace units")->excludes(factor);
+    add_size(command, way, name,
+             "Width of the " + name + ", as a multiple of the diameter of a round chain");
 }
 
 /// Registers a family: add_options(command, options) binds its options.
@@ -126,7 +125,7 @@ void add_open_families(CLI::App& app, std::vector<Family>& families) {
     add_family<core::CrossingOptions>(
         app, families, "crossing", "A crossing of two wide roads", core::crossing,
         [](CLI::App& command, core::CrossingOptions& options) {
-            const std::vector<std::pair<std::string, core::Branch>> arms{
+            const std::vector<std::pair<std::string, core::Branch>> branches{
                 {"random", core::Branch::random},
                 {"east", core::Branch::east},
                 {"north", core::Branch::north},
@@ -136,8 +135,8 @@ void add_open_families(CLI::App& app, std::vector<Family>& families) {
             command
                 .add_option("--offset", options.offset, "How far off the middle the roads may be")
                 ->capture_default_str();
-            add_choice(command, "--start-arm", options.start_arm, "Where the start is", arms);
-            add_choice(command, "--goal-arm", options.goal_arm, "Where the goal is", arms);
+            add_choice(command, "--start-arm", options.start_arm, "Where the start is", branches);
+            add_choice(command, "--goal-arm", options.goal_arm, "Where the goal is", branches);
         });
     add_family<core::ClutterOptions>(
         app, families, "clutter", "Random boxes", core::clutter,
