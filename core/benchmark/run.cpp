@@ -7,7 +7,7 @@
 #include <thread>
 #include <tuple>
 
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 
 namespace asv::core {
 

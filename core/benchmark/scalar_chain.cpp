@@ -12,9 +12,9 @@ namespace {
 bool turns_valid(std::span<const double> headings, const batch::ChainLimits& limits) {
     for (std::size_t k = 1; k < headings.size(); ++k) {
         const double turn = headings[k] - headings[k - 1];
-        if (!(turn >= limits.min_turn[k - 1] && turn <= limits.greatest_turn)) return false;
+        if (!(turn >= limits.min_turn[k - 1] && turn <= limits.max_turn)) return false;
     }
-    return headings.back() - headings.front() <= limits.greatest_total_turn;
+    return headings.back() - headings.front() <= limits.max_total_turn;
 }
 
 bool closing_valid(std::span<const Point> points, const batch::ChainLimits& limits) {
@@ -24,9 +24,10 @@ bool closing_valid(std::span<const Point> points, const batch::ChainLimits& limi
     const Point closing = minus(points[0], points[n - 1]);
     const Point first = minus(points[1], points[0]);
     const Point last = minus(points[n - 1], points[n - 2]);
-    return cross(last, closing) >= limits.min_last_cross * limits.link &&
-           cross(closing, first) >= limits.min_first_cross * limits.link &&
-           closing.x * closing.x + closing.y * closing.y >= limits.min_closing * limits.min_closing;
+    return cross(last, closing) >= limits.min_last_closing_turn * limits.link &&
+           cross(closing, first) >= limits.min_first_closing_turn * limits.link &&
+           closing.x * closing.x + closing.y * closing.y >=
+               limits.min_closing_side * limits.min_closing_side;
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ std::vector<LeftSide> from_left_to_right(const std::vector<Wall>& walls) {
 
 /// Adds the seams between walls that lie side by side, not one above the other.
 void add_vertical_seams(const std::vector<Wall>& walls, const Requirements& requirements,
-                        double reach, std::vector<Seam>& seams) {
+                        double max_gap, std::vector<Seam>& seams) {
     const std::vector<LeftSide> sides = from_left_to_right(walls);
     // Twice the tolerance, as vertical_seam decides.
     const double above = 2 * requirements.tolerance;
@@ -110,7 +110,7 @@ void add_vertical_seams(const std::vector<Wall>& walls, const Requirements& requ
         const double low = left.whole.low.y - above, high = left.whole.high.y + above;
         auto next = std::partition_point(sides.begin(), sides.end(),
                                          [x](const LeftSide& side) { return side.x < x; });
-        for (; next != sides.end() && next->x <= x + reach; ++next) {
+        for (; next != sides.end() && next->x <= x + max_gap; ++next) {
             if (next->low > high || next->high < low) continue;
             const auto seam = vertical_seam(left, *next->wall, requirements.tolerance);
             if (seam) seams.push_back(*seam);
@@ -142,12 +142,12 @@ std::vector<Seam> find_seams(const Problem& problem, double shrink) {
     }
     // Two sides that are the tolerance apart are each shrunk by the margin; twice the tolerance
     // more than that leaves room for rounding, and vertical_seam decides.
-    const double reach = 2 * margin + 3 * requirements.tolerance;
+    const double max_gap = 2 * margin + 3 * requirements.tolerance;
     std::vector<Seam> seams;
-    add_vertical_seams(walls, requirements, reach, seams);
+    add_vertical_seams(walls, requirements, max_gap, seams);
     const auto horizontal = static_cast<std::ptrdiff_t>(seams.size());
     for (Wall& wall : walls) wall = {transposed(wall.whole), transposed(wall.shrunk)};
-    add_vertical_seams(walls, requirements, reach, seams);
+    add_vertical_seams(walls, requirements, max_gap, seams);
     std::for_each(seams.begin() + horizontal, seams.end(),
                   [](Seam& seam) { seam.gap = transposed(seam.gap); });
     return seams;

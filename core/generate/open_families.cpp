@@ -72,8 +72,8 @@ Problem crossing(const CrossingOptions& options, Rng& rng) {
     require_range("offset", options.offset, 0.0, 0.2);
     const auto axis = [&] {
         const double room = std::max(0.0, 0.5 - width / 2 - 0.02);
-        const double reach = std::min(options.offset, room);
-        return rng.uniform(0.5 - reach, 0.5 + reach);
+        const double offset = std::min(options.offset, room);
+        return rng.uniform(0.5 - offset, 0.5 + offset);
     };
     const Point middle{axis(), axis()};
     const Box flat{{0, middle.y - width / 2}, {1, middle.y + width / 2}};

@@ -36,7 +36,7 @@ bool acceptable(std::span<const Point> chain, const ChainOptions& options,
     const double most = std::numbers::pi - 0.2;
     const double last = turn(chain[n - 2], chain[n - 1], chain[0]);
     const double first = turn(chain[n - 1], chain[0], chain[1]);
-    return closing >= options.min_closing && last >= options.min_turn && last <= most &&
+    return closing >= options.min_closing_side && last >= options.min_turn && last <= most &&
            first >= options.min_turn && first <= most &&
            geometry::signed_area(chain) >= (1 + options.area_margin) * requirements.min_area(n);
 }
@@ -119,7 +119,7 @@ void check(const ChainOptions& options) {
     require_range("clearance", options.clearance, 0, 0.1);
     require_range("area-margin", options.area_margin, 0, 0.2);
     require_range("least-turn", options.min_turn, 0, 0.01);
-    require_range("least-closing", options.min_closing, 0, 0.05);
+    require_range("least-closing", options.min_closing_side, 0, 0.05);
 }
 
 std::vector<Point> chain_positions(std::span<const double> turns, double heading,

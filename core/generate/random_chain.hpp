@@ -28,7 +28,7 @@ struct ChainOptions {
     /// Of every vertex, radians, 0 to 0.01: none is straight. Ten times the tolerance.
     double min_turn = 1e-4;
     /// Length of the closing side, 0 to 0.05. A round number, a fifth of a broom.
-    double min_closing = 0.01;
+    double min_closing_side = 0.01;
 };
 
 /// No start or goal was found in the space that the other parameters leave.

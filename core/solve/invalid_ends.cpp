@@ -1,6 +1,6 @@
 #include "core/bounds/feasibility.hpp"
 #include "core/solve/solve.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 
 namespace asv::core {
 

@@ -11,7 +11,7 @@
 #include "core/solve/improve_path.hpp"
 #include "core/solve/race.hpp"
 #include "core/solve/solve_call.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 
 namespace asv::core {
 

@@ -17,7 +17,7 @@ ChainWorld::ChainWorld(const Problem& given, Anchor anchor)
     : problem(given),
       chain(problem.asv_count(), problem.requirements.broom_length, anchor),
       constraints(make_constraints(problem, chain)),
-      field(constraints.boxes),
+      field(constraints.obstacles),
       metric(mean_metric(problem, chain)),
       start(chain.dimension()),
       goal(chain.dimension()) {

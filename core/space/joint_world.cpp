@@ -47,7 +47,7 @@ JointWorld::JointWorld(const Problem& given)
       coordinates(),
       chain(link_lengths(problem)),
       constraints(make_joint_constraints(problem, chain)),
-      field(constraints.boxes) {
+      field(constraints.obstacles) {
     coordinates = coordinates_of(problem, constraints.bounds);
     start = row_of(problem, false, coordinates);
     goal = row_of(problem, true, coordinates);

@@ -20,11 +20,14 @@ std::vector<double> ladder_scales(const Chain& chain, double heading_weight) {
 }  // namespace
 
 LadderSpace::LadderSpace(const ChainWorld& world, const LadderOptions& options)
-    : StraightSpace(world, options.widest_corridor),
+    : world_(world),
+      straight_(world, options.widest_corridor),
       options_(options),
       scales_(ladder_scales(world.chain, options.heading_weight)),
       row_(world.chain.dimension()),
-      next_(world.chain.dimension()) {}
+      next_(world.chain.dimension()),
+      pose_(world.chain.make_pose()),
+      other_pose_(world.chain.make_pose()) {}
 
 double LadderSpace::distance(std::span<const double> a, std::span<const double> b) const {
     double sum = 0;
@@ -50,14 +53,15 @@ bool LadderSpace::sample(Rng& rng, std::span<double> row) {
 
 bool LadderSpace::draw(Rng& rng, bool any_turn, std::span<double> row) {
     using From = StepwiseSampler::From;
+    StepwiseSampler& stepwise = straight_.stepwise();
     const bool use[] = {options_.stepwise, options_.corridor, options_.corridor_reversed};
     const auto count = static_cast<std::size_t>(std::count(std::begin(use), std::end(use), true));
-    if (count == 0) return stepwise_.sample(rng, From::first_asv, std::nullopt, any_turn, row);
+    if (count == 0) return stepwise.sample(rng, From::first_asv, std::nullopt, any_turn, row);
     std::size_t chosen = rng.below(count), kind = 0;
     while (!use[kind] || chosen-- > 0) ++kind;
-    if (kind == 0) return stepwise_.sample(rng, From::first_asv, std::nullopt, any_turn, row);
-    return stepwise_.sample(rng, kind == 1 ? From::first_asv : From::last_asv,
-                            corridors().sample(rng), any_turn, row);
+    if (kind == 0) return stepwise.sample(rng, From::first_asv, std::nullopt, any_turn, row);
+    return stepwise.sample(rng, kind == 1 ? From::first_asv : From::last_asv,
+                           straight_.corridors().sample(rng), any_turn, row);
 }
 
 Steered LadderSpace::steer(std::span<const double> from, std::span<const double> target,
@@ -74,7 +78,7 @@ Steered LadderSpace::steer(std::span<const double> from, std::span<const double>
 
 /// Straight toward the target as far as that is proven; true when it is reached.
 bool LadderSpace::go(std::span<const double> target, Configurations& visited) {
-    const double proven = checker_.valid_prefix(row_, target, options_.step);
+    const double proven = straight_.checker().valid_prefix(row_, target, options_.step);
     if (proven < 0) return false;
     for (std::size_t i = 0; i < row_.size(); ++i)
         next_[i] = proven >= 1 ? target[i] : row_[i] + proven * (target[i] - row_[i]);
@@ -89,8 +93,8 @@ bool LadderSpace::enlarge(std::span<const double> target, Configurations& visite
     std::vector<double> opened(row_), ahead(row_.size());
     for (std::size_t attempt = 0; attempt < options_.enlarge_tries; ++attempt) {
         for (std::size_t i = 3; i < opened.size(); ++i) opened[i] *= 1 - options_.enlarge_share;
-        if (!checker_.valid(row_, opened)) return false;
-        const double proven = checker_.valid_prefix(opened, target, options_.step);
+        if (!straight_.checker().valid(row_, opened)) return false;
+        const double proven = straight_.checker().valid_prefix(opened, target, options_.step);
         if (proven < 0) return false;
         for (std::size_t i = 0; i < ahead.size(); ++i)
             ahead[i] = opened[i] + proven * (target[i] - opened[i]);
@@ -112,7 +116,7 @@ bool LadderSpace::climb_ladder(std::span<const double> target, Configurations& v
             if (std::abs(wanted) < options_.step) continue;
             next_ = row_;
             next_[axis] = target[axis];
-            const double proven = checker_.valid_prefix(row_, next_, options_.step);
+            const double proven = straight_.checker().valid_prefix(row_, next_, options_.step);
             if (proven * std::abs(wanted) < options_.step) continue;
             next_[axis] = proven >= 1 ? target[axis] : row_[axis] + proven * wanted;
             visited.insert(visited.end(), next_.begin(), next_.end());

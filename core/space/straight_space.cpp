@@ -125,7 +125,8 @@ double StraightSpace::cost_lower_bound(std::span<const double> from, std::span<c
 
 const Corridors& StraightSpace::corridors() {
     if (!corridors_)
-        corridors_.emplace(world_.constraints.boxes, world_.constraints.bounds, widest_corridor_);
+        corridors_.emplace(world_.constraints.obstacles, world_.constraints.bounds,
+                           widest_corridor_);
     return *corridors_;
 }
 

@@ -65,22 +65,21 @@ class StraightSpace {
     bool sample_corridor(Rng& rng, std::span<double> row);
 
     MotionChecker& checker() { return checker_; }
+    StepwiseSampler& stepwise() { return stepwise_; }
+    /// Looked for when first asked for: among many obstacles that takes longer than many a search.
+    const Corridors& corridors();
+
     /// A look of the batch kernel costs about as much as one check, and counts as that.
     std::uint64_t state_checks() const {
         return checker_.state_checks() + (batch_ ? batch_->looks() : 0);
     }
     std::uint64_t motion_checks() const { return checker_.motion_checks() + settled_at_once_; }
 
-  protected:
-    /// Looked for when first asked for: among many obstacles that takes longer than many a search.
-    const Corridors& corridors();
-
+  private:
     const ChainWorld& world_;
     MotionChecker checker_;
     StepwiseSampler stepwise_;  ///< its range of turns is that of start and goal
     Pose pose_, other_pose_;
-
-  private:
     double widest_corridor_;
     std::optional<Corridors> corridors_;
     ShapeSampler shapes_;

@@ -201,11 +201,12 @@ detail::BoxQuery region(const Box& box) {
 // with two products and a sum, off by at most 2^-24 (|x| + |y| + |x + y|) <= 2^-22 M; the shadow of
 // the segment, in double precision, by less than 2^-40 of its coordinates. The same slack covers
 // the error of geometry::distance, by which the boxes within the radius are finally chosen.
-detail::BoxQuery region(const Segment& segment, double radius, double reach) {
+detail::BoxQuery region(const Segment& segment, double radius, double largest_of_tree) {
     const auto& [a, b] = segment;
     const double largest =
         std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(b.x), std::fabs(b.y)});
-    const double slack = 0x1p-21 * reach + 0x1p-40 * largest + std::numeric_limits<float>::min();
+    const double slack =
+        0x1p-21 * largest_of_tree + 0x1p-40 * largest + std::numeric_limits<float>::min();
     const double margin = radius * (1 + 0x1p-20) + slack;
     detail::BoxQuery query = region(grown(bounds(segment), margin));
     const double dx = b.x - a.x;
@@ -228,7 +229,7 @@ detail::BoxSearch BoxIndex::begin(const Box& query) const {
 }
 
 detail::BoxSearch BoxIndex::begin(const Segment& query, double radius) const {
-    return from_roots(tree_, region(query, radius, tree_.reach));
+    return from_roots(tree_, region(query, radius, tree_.largest_coordinate));
 }
 
 std::uint32_t BoxIndex::advance(detail::BoxSearch& search) const {
@@ -241,8 +242,8 @@ const detail::DustGrid& BoxIndex::dust() const {
 }
 
 double BoxIndex::distance(const Segment& segment, double cutoff) const {
-    return HWY_DYNAMIC_DISPATCH(Nearest)(tree_, boxes_, segment, region(segment, 0, tree_.reach),
-                                         cutoff);
+    return HWY_DYNAMIC_DISPATCH(Nearest)(tree_, boxes_, segment,
+                                         region(segment, 0, tree_.largest_coordinate), cutoff);
 }
 
 }  // namespace asv::geometry

@@ -75,7 +75,7 @@ void add_boxes(BoxTree& tree, std::span<const Box> boxes, std::size_t lanes) {
     for (const std::uint32_t index : tree.order) {
         const Box& box = tree.boxes.emplace_back(boxes[index]);
         for (const double v : {box.low.x, box.low.y, box.high.x, box.high.y}) {
-            tree.reach = std::max(tree.reach, std::fabs(v));
+            tree.largest_coordinate = std::max(tree.largest_coordinate, std::fabs(v));
         }
     }
     tree.boxes.resize(groups * lanes, no_box);

@@ -80,7 +80,7 @@ struct BoxTree {
     std::vector<std::uint32_t> order;  ///< their numbers, without those of lanes without a box
     std::vector<WideNode> nodes;
     std::vector<std::uint32_t> level_begin;  ///< first node of every level from 1 on, and the end
-    double reach = 0;                        ///< largest magnitude of a coordinate
+    double largest_coordinate = 0;           ///< in magnitude
 
     /// How many levels there are, with that of the leaves.
     std::uint32_t levels() const { return static_cast<std::uint32_t>(level_begin.size()); }

@@ -52,11 +52,11 @@ struct Spread {
 bool lay_out(DustGrid& grid, const Spread& spread) {
     if (spread.count <= BoxTree::max_without_leaves) return false;
     const auto& [low, high, count] = spread;
-    const double reach = std::max({-low.x, -low.y, high.x, high.y});
+    const double largest = std::max({-low.x, -low.y, high.x, high.y});
     grid.low = low;
     grid.cell = spread.cell();
     // Searches reckon with rounding errors far below a step.
-    if (!(grid.cell > reach * 0x1p-32 && grid.cell < infinity)) return false;
+    if (!(grid.cell > largest * 0x1p-32 && grid.cell < infinity)) return false;
     const auto [columns, rows] = in_cells(grid, high);
     if ((columns + 1) * (rows + 1) > 2 * spread.cells()) return false;
     grid.columns = static_cast<std::uint32_t>(columns) + 1;

@@ -95,14 +95,14 @@ class DustSearch {
         std::uint32_t box, number;
     };
 
-    HWY_INLINE void walk(const Band& band) {
-        // Within the grid, and less than the count when the fraction is cut off: a margin that is
-        // half as large cannot leave out a centre.
-        const double low_a = std::max(band.low_a, 0.0), low_b = std::max(band.low_b, 0.0);
-        const double high_a = std::min(band.high_a, band.count_a - margin / 2);
-        const double high_b = std::min(band.high_b, band.count_b - margin / 2);
-        if (!(low_a <= high_a && low_b <= high_b)) return;
+    /// Where a band's interval begins, from the low corner of cell (a, b) on: begin - unit_a a -
+    /// unit_b b, in units.
+    struct Origin {
+        double begin, unit_a, unit_b;
+    };
 
+    /// Writes how long the band's interval is.
+    HWY_INLINE Origin begin_interval(const Band& band) {
         // A centre is off by at most half a step, 32 units, on each axis. A product is off by less
         // than one unit, and by less than half of one as the normal is rounded; what is computed
         // here by less than a hundredth; and cutting off two fractions takes less than two.
@@ -111,10 +111,19 @@ class DustSearch {
         // Of a cell that a wide interval crosses, everything may as well be looked at.
         const bool wide = length > 0xFFFF;
         intervals_[interval_count_].length = wide ? 0xFFFF : static_cast<std::uint16_t>(length);
-        const double begin = wide ? 0 : unit * band.begin - slack;
-        const double unit_a = wide ? 0 : unit * band.normal_a;
-        const double unit_b = wide ? 0 : unit * band.normal_b;
+        return {wide ? 0 : unit * band.begin - slack, wide ? 0 : unit * band.normal_a,
+                wide ? 0 : unit * band.normal_b};
+    }
 
+    HWY_INLINE void walk(const Band& band) {
+        // Within the grid, and less than the count when the fraction is cut off: a margin that is
+        // half as large cannot leave out a centre.
+        const double low_a = std::max(band.low_a, 0.0), low_b = std::max(band.low_b, 0.0);
+        const double high_a = std::min(band.high_a, band.count_a - margin / 2);
+        const double high_b = std::min(band.high_b, band.count_b - margin / 2);
+        if (!(low_a <= high_a && low_b <= high_b)) return;
+
+        const Origin origin = begin_interval(band);
         const double slope = -band.normal_a / band.normal_b;
         const double side = band.begin / band.normal_b, other_side = band.end / band.normal_b;
         const double low = std::min(side, other_side) + std::min(slope, 0.0) - margin;
@@ -140,16 +149,16 @@ class DustSearch {
             const auto final_b = static_cast<std::int32_t>(to);
             const std::uint32_t line = static_cast<std::uint32_t>(a) * band.stride_a +
                                        static_cast<std::uint32_t>(first_b) * band.stride_b;
-            const double here = begin - unit_a * a - unit_b * first_b;
+            const double here = origin.begin - origin.unit_a * a - origin.unit_b * first_b;
             // Mostly there are one or two cells: no branch for the second.
             const std::uint32_t second = static_cast<std::uint32_t>(first_b - final_b) >> 31;
             put(count, line, here);
-            put(count + 1, line + (band.stride_b & (0U - second)), here - unit_b);
+            put(count + 1, line + (band.stride_b & (0U - second)), here - origin.unit_b);
             count += 1 + second;
             make_room();
             for (std::int32_t more = 2; more <= final_b - first_b; ++more) {
                 put(count++, line + static_cast<std::uint32_t>(more) * band.stride_b,
-                    here - unit_b * more);
+                    here - origin.unit_b * more);
                 make_room();
             }
         }

@@ -1,9 +1,9 @@
 #include "io/drawing/drawing.hpp"
 
-#include "io/drawing/field_painter.hpp"
-#include "io/drawing/page.hpp"
-#include "io/drawing/scene.hpp"
-#include "io/drawing/strip_painter.hpp"
+#include "io/drawing/paint/field_painter.hpp"
+#include "io/drawing/paint/page.hpp"
+#include "io/drawing/paint/strip_painter.hpp"
+#include "io/drawing/scene/scene.hpp"
 
 namespace asv::io {
 

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "io/drawing/canvas.hpp"
 #include "io/drawing/exhibit.hpp"
-#include "io/drawing/palette.hpp"
+#include "io/drawing/paint/canvas.hpp"
+#include "io/drawing/paint/palette.hpp"
 
 namespace asv::io {
 

@@ -6,7 +6,7 @@
 
 #include "core/model/path.hpp"
 #include "core/model/problem.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "io/drawing/path_profile.hpp"
 #include "io/solution/trees_file.hpp"
 

@@ -63,18 +63,19 @@ double lower_bound(const Segment& segment, const Box& box) {
 }
 
 /// The obstacle nearest to one broom while it moves. All obstacles are looked at only when the
-/// broom has left the reach of the last full look: until then no point of it has moved further
-/// than reach, so that an obstacle beyond (nearest then + 2 * reach) cannot be the nearest now.
+/// broom has left the radius of the last full look: until then no point of it has moved further
+/// than the radius, so that an obstacle beyond (nearest then + 2 * radius) cannot be the nearest
+/// now.
 class NearestObstacle {
   public:
-    NearestObstacle(const std::vector<Box>& obstacles, double min_reach)
-        : obstacles_(obstacles), min_reach_(min_reach) {}
+    NearestObstacle(const std::vector<Box>& obstacles, double min_radius)
+        : obstacles_(obstacles), min_radius_(min_radius) {}
 
     /// The index and the distance of the nearest. Precondition: there are obstacles.
     std::pair<std::size_t, double> operator()(const Segment& broom) {
-        const bool in_reach = !candidates_.empty() && length(anchor_.a, broom.a) <= reach_ &&
-                              length(anchor_.b, broom.b) <= reach_;
-        if (!in_reach) look_at_all(broom);
+        const bool still_near = !candidates_.empty() && length(anchor_.a, broom.a) <= radius_ &&
+                                length(anchor_.b, broom.b) <= radius_;
+        if (!still_near) look_at_all(broom);
         return nearest_of(candidates_, broom);
     }
 
@@ -97,16 +98,17 @@ class NearestObstacle {
         }
         anchor_ = broom;
         const double nearest = nearest_of(all_, broom).second;
-        reach_ = std::max(min_reach_, nearest / 2);
+        radius_ = std::max(min_radius_, nearest / 2);
         candidates_.clear();
         for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-            if (lower_bound(broom, obstacles_[i]) <= nearest + 2 * reach_) candidates_.push_back(i);
+            if (lower_bound(broom, obstacles_[i]) <= nearest + 2 * radius_)
+                candidates_.push_back(i);
         }
     }
 
     const std::vector<Box>& obstacles_;
-    double min_reach_;
-    double reach_ = 0;
+    double min_radius_;
+    double radius_ = 0;
     Segment anchor_;
     std::vector<std::size_t> candidates_;
     std::vector<std::size_t> all_;
@@ -169,9 +171,9 @@ Segment shortest_link(const Segment& segment, const Box& box) {
 
 std::vector<StateMeasures> measure(const core::Problem& problem, const core::Path& path) {
     std::vector<StateMeasures> result(path.size());
-    const double min_reach = link_length(problem) / 2;
+    const double min_radius = link_length(problem) / 2;
     std::vector<NearestObstacle> nearest(broom_count(path.asv_count()),
-                                         NearestObstacle(problem.obstacles, min_reach));
+                                         NearestObstacle(problem.obstacles, min_radius));
     for (std::size_t i = 0; i < path.size(); ++i) {
         const auto state = path.state(i);
         if (problem.body_kind() == core::BodyKind::chain) measure_shape(state, result[i]);

@@ -5,13 +5,14 @@
 #include <map>
 
 #include "core/bounds/lower_bound.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "io/drawing/drawing.hpp"
 #include "io/player/assets.hpp"
 #include "io/player/player.hpp"
 #include "io/solution/run_facts.hpp"
 #include "io/solution/solution_file.hpp"
 #include "io/text/atomic_file.hpp"
+#include "io/text/markup.hpp"
 #include "io/text/parse_error.hpp"
 
 namespace asv::io {

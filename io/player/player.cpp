@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/model/planning_window.hpp"
-#include "io/drawing/canvas.hpp"
+#include "io/drawing/paint/canvas.hpp"
 #include "io/player/assets.hpp"
 #include "io/player/packing.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 
 namespace asv::io {
 

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "io/text/parse_error.hpp"
+#include "io/text/write_all.hpp"
 
 namespace asv::io {
 namespace {
@@ -46,16 +47,6 @@ class Descriptor {
   private:
     int number_;
 };
-
-bool write_all(int descriptor, std::string_view content) {
-    while (!content.empty()) {
-        const ssize_t written = ::write(descriptor, content.data(), content.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return false;
-        content.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return true;
-}
 
 /// Removes the file on every way out unless it was kept.
 class TemporaryName {

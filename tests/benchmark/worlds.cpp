@@ -54,7 +54,7 @@ core::batch::ChainLimits chain_limits(std::size_t points) {
     limits.link = 0.05;
     const double radius = 0.007 * static_cast<double>(points - 1);
     limits.min_area = std::numbers::pi * radius * radius;
-    limits.min_closing = 0.004;
+    limits.min_closing_side = 0.004;
     limits.min_turn.assign(points - 2, 0.0);
     return limits;
 }

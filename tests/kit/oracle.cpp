@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "geometry/predicates/distance.hpp"
 #include "geometry/predicates/polygon.hpp"
 
@@ -25,8 +25,9 @@ double Oracle::shape_room(const Points& points, std::span<const double> row) con
     const double closing = std::hypot(points[0].x - points[n - 1].x, points[0].y - points[n - 1].y);
     const double into = std::sin(heading(n - 1, 0) - heading(n - 2, n - 1));
     const double out_of = std::sin(heading(0, 1) - heading(n - 1, 0));
-    return std::min({least, closing * into - limits.min_last_turn,
-                     closing * out_of - limits.min_first_turn, closing - limits.min_closing,
+    return std::min({least, closing * into - limits.min_last_closing_turn,
+                     closing * out_of - limits.min_first_closing_turn,
+                     closing - limits.min_closing_side,
                      (geometry::signed_area(points) - limits.min_area) / length});
 }
 
@@ -38,7 +39,7 @@ double Oracle::outside_room(const Points& points) const {
                           p.y - limits.bounds.low.y, limits.bounds.high.y - p.y});
     for (std::size_t k = 0; k < std::max<std::size_t>(points.size() - 1, 1); ++k) {
         const geometry::Segment broom{points[k], points[std::min(k + 1, points.size() - 1)]};
-        for (const Box& box : limits.boxes) {
+        for (const Box& box : limits.obstacles) {
             if (!geometry::overlap(geometry::bounds(broom), geometry::grown(box, 0.05))) continue;
             const double gap = geometry::distance(broom, box);
             least = std::min(least, gap > 0 ? gap : -1e-3);

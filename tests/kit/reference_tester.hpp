@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/model/problem.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "geometry/predicates/segment_box.hpp"
 
 /// The requirements once more, written down as plainly as possible and without any shortcut: what

@@ -9,7 +9,7 @@
 
 #include "core/model/path.hpp"
 #include "core/model/problem.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 
 /// Chains and paths that are written down for tests of the validator.
 

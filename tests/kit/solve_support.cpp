@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/model/cost.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "io/problem/problem_file.hpp"
 
 namespace asv::core::testing {

@@ -15,6 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "io/text/write_all.hpp"
 #include "tools/bench/machine.hpp"
 
 namespace asv::tools {
@@ -100,16 +101,6 @@ void exchange(Archive& archive, Run& run) {
     archive(spent.cost_history);
 }
 
-bool send(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return false;
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return true;
-}
-
 [[noreturn]] void be_child(const core::BenchmarkPlan& plan, const core::RunPlace& place, int out) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     // The pipes of other jobs: each has to end with its own child.
@@ -125,7 +116,7 @@ bool send(int descriptor, std::string_view bytes) {
     Packer packer;
     exchange(packer, run);
     // Nothing of the parent's is to be flushed or undone a second time.
-    ::_exit(send(out, packer.bytes()) ? 0 : 1);
+    ::_exit(io::write_all(out, packer.bytes()) ? 0 : 1);
 }
 
 /// What the child sends until it ends; it is killed when a stop is requested.

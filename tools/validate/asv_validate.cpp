@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/solution/solution_file.hpp"
 #include "io/solution/validation_file.hpp"

@@ -96,7 +96,7 @@ ChainBatch::ChainBatch(std::size_t links, const ChainLimits& limits, const BoxIn
     scratch_.links.resize(links);
     const auto& [low, high] = limits.bounds;
     const double largest = std::max({std::fabs(low.x), std::fabs(low.y), std::fabs(high.x),
-                                     std::fabs(high.y), boxes.tree().reach});
+                                     std::fabs(high.y), boxes.tree().largest_coordinate});
     const double size = 1 + largest + static_cast<double>(links) * limits.link;
     scratch_.slack = static_cast<float>(0x1p-19 * largest);
     scratch_.rounding = 0x1p-44 * size * size;

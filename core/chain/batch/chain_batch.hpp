@@ -16,15 +16,15 @@ namespace asv::core::batch {
 /// closing side, from the last point back to the first. For counter-clockwise chains; mirror
 /// others.
 struct ChainLimits {
-    double link = 1;               ///< length of every link, > 0
-    Box bounds{{0, 0}, {1, 1}};    ///< closed; holds every point
-    double min_area = 0;           ///< signed area of the closed polygon
-    double min_first_cross = 0;    ///< cross(closing side, direction of the first link)
-    double min_last_cross = 0;     ///< cross(direction of the last link, closing side)
-    double min_closing = 0;        ///< length of the closing side
+    double link = 1;                    ///< length of every link, > 0
+    Box bounds{{0, 0}, {1, 1}};         ///< closed; holds every point
+    double min_area = 0;                ///< signed area of the closed polygon
+    double min_first_closing_turn = 0;  ///< cross(closing side, direction of the first link)
+    double min_last_closing_turn = 0;   ///< cross(direction of the last link, closing side)
+    double min_closing_side = 0;        ///< length of the closing side
     std::vector<double> min_turn;  ///< radians, from each link to the next; one fewer than links
-    double greatest_turn = std::numbers::pi;            ///< of every turn
-    double greatest_total_turn = 2 * std::numbers::pi;  ///< from the first to the last heading
+    double max_turn = std::numbers::pi;            ///< of every turn
+    double max_total_turn = 2 * std::numbers::pi;  ///< from the first to the last heading
     /// What the first two coordinates refer to: the first point stands at (x, y) + link * (sum of
     /// anchor_lever[k] * direction of link k). Empty for zeros: (x, y) is the first point.
     std::vector<double> anchor_lever;

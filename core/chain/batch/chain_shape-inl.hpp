@@ -81,7 +81,7 @@ class ChainWalk {
                 const Doubles turn = hn::Sub(next, heading);
                 const Doubles loss = hn::Abs(hn::Sub(change, last_change_));
                 keep(hn::Sub(turn, set(min_turn_[k - 1])), loss);
-                keep(hn::Sub(set(limits_.greatest_turn), turn), loss);
+                keep(hn::Sub(set(limits_.max_turn), turn), loss);
             }
             heading = next;
             last_change_ = change;
@@ -99,7 +99,7 @@ class ChainWalk {
             }
         }
         const Doubles total = hn::Sub(heading, source_.at(2, i_));
-        keep(hn::Sub(set(limits_.greatest_total_turn), total),
+        keep(hn::Sub(set(limits_.max_total_turn), total),
              hn::Abs(hn::Sub(last_change_, source_.change(2, i_))));
     }
 
@@ -110,9 +110,9 @@ class ChainWalk {
         x_ = hn::Add(x_, hn::Mul(set(length), cosine));
         y_ = hn::Add(y_, hn::Mul(set(length), sine));
         if (!moving) return;
-        const Doubles arm = hn::Mul(set(length), change);
-        drift_x_ = hn::Sub(drift_x_, hn::Mul(arm, sine));
-        drift_y_ = hn::Add(drift_y_, hn::Mul(arm, cosine));
+        const Doubles lever = hn::Mul(set(length), change);
+        drift_x_ = hn::Sub(drift_x_, hn::Mul(lever, sine));
+        drift_y_ = hn::Add(drift_y_, hn::Mul(lever, cosine));
         const Doubles half_growth = set(0.5 * limits_.link * lever_growth);
         stray_ = hn::Add(stray_, hn::Mul(half_growth, hn::Mul(change, change)));
     }
@@ -138,7 +138,7 @@ class ChainWalk {
             const Doubles change = source_.change(2 + k, i_);
             if (k > 0) add_area(cosine, sine, change);
             const Doubles offset = cross(cosine, sine, x_, y_);
-            const Doubles reach = reach_across(cosine, sine);
+            const Doubles half_width = half_width_across(cosine, sine);
             advance(limits_.link, lever_growth(k), cosine, sine, change);
             store_point(k + 1);
             const Region end = region();
@@ -150,7 +150,8 @@ class ChainWalk {
             store(cosine, link_[k].normal_y, i_);
             store(offset, link_[k].offset, i_);
             if (moving) {
-                store(hn::Max(reach, reach_across(cosine, sine)), link_[k].reach, i_);
+                store(hn::Max(half_width, half_width_across(cosine, sine)), link_[k].half_width,
+                      i_);
             }
             start = end;
         }
@@ -166,7 +167,7 @@ class ChainWalk {
     }
 
     /// How far the point strays from where it is, along the normal of a direction.
-    HWY_INLINE Doubles reach_across(Doubles cosine, Doubles sine) const {
+    HWY_INLINE Doubles half_width_across(Doubles cosine, Doubles sine) const {
         if (!moving) return set(0);
         return hn::Add(hn::Abs(cross(cosine, sine, drift_x_, drift_y_)), stray_);
     }
@@ -217,14 +218,14 @@ class ChainWalk {
 
         const Doubles last_slope = hn::Sub(cross(cosine, sine, drift_x, drift_y),
                                            hn::Mul(last_change_, dot(cosine, sine, x, y)));
-        keep(hn::Sub(cross(cosine, sine, x, y), set(limits_.min_last_cross)),
+        keep(hn::Sub(cross(cosine, sine, x, y), set(limits_.min_last_closing_turn)),
              hn::Add(hn::Abs(last_slope), hn::Mul(half_link, spread(last_change_))));
         const Doubles first_slope =
             hn::Add(cross(drift_x, drift_y, first_cosine, first_sine),
                     hn::Mul(first_change, dot(first_cosine, first_sine, x, y)));
-        keep(hn::Sub(cross(x, y, first_cosine, first_sine), set(limits_.min_first_cross)),
+        keep(hn::Sub(cross(x, y, first_cosine, first_sine), set(limits_.min_first_closing_turn)),
              hn::Add(hn::Abs(first_slope), hn::Mul(half_link, spread(first_change))));
-        keep(hn::Sub(length(x, y), set(limits_.min_closing)),
+        keep(hn::Sub(length(x, y), set(limits_.min_closing_side)),
              hn::Add(length(drift_x, drift_y), hn::Mul(half_link, sum_of_squares_)));
 
         const Doubles pairs = hn::Sub(hn::Mul(set(static_cast<double>(last + 1)), sum_of_squares_),

@@ -54,7 +54,7 @@ HWY_INLINE LaneMask hits(std::span<const SweptLink> links, const GrownBox& box, 
             const auto between =
                 hn::Add(hn::Mul(y, centre_y), hn::Sub(hn::Mul(x, centre_x), offset));
             auto most = hn::Set(d, slack);
-            if (moving) most = hn::Add(most, hn::Load(d, link.reach.data() + i));
+            if (moving) most = hn::Add(most, hn::Load(d, link.half_width.data() + i));
             most = hn::Add(hn::Mul(hn::Abs(y), half_y), hn::Add(hn::Mul(hn::Abs(x), half_x), most));
             const auto apart = hn::Or(regions_apart(link, box, i), hn::Gt(hn::Abs(between), most));
             all_apart = hn::And(all_apart, apart);
@@ -113,10 +113,10 @@ HWY_INLINE BoxQuery joint_query(const SweptLink& link, LaneMask of, float slack)
 }
 
 inline BoxQuery lane_query(const SweptLink& link, std::size_t i, bool moving, float slack) {
-    const float reach = slack + (moving ? link.reach[i] : 0);
-    return {link.low_x[i] - slack,  link.low_y[i] - slack, link.high_x[i] + slack,
-            link.high_y[i] + slack, link.normal_x[i],      link.normal_y[i],
-            link.offset[i] - reach, link.offset[i] + reach};
+    const float half_width = slack + (moving ? link.half_width[i] : 0);
+    return {link.low_x[i] - slack,       link.low_y[i] - slack,      link.high_x[i] + slack,
+            link.high_y[i] + slack,      link.normal_x[i],           link.normal_y[i],
+            link.offset[i] - half_width, link.offset[i] + half_width};
 }
 
 /// Do the lanes' regions cover each other so well that one search should serve them all?

@@ -24,10 +24,10 @@ using geometry::simd::Pack;
 namespace asv::core::batch::detail {
 
 /// One link of eight chains in single precision, ready for comparison with boxes: the region that
-/// it sweeps and, on the axis along its normal, its shadow offset +- reach.
+/// it sweeps and, on the axis along its normal, its shadow offset +- half_width.
 struct alignas(64) SweptLink {
     using Row = std::array<float, lanes>;
-    Row low_x, low_y, high_x, high_y, normal_x, normal_y, offset, reach;
+    Row low_x, low_y, high_x, high_y, normal_x, normal_y, offset, half_width;
 };
 
 /// A box grown by the slack of comparing links with boxes, in single precision.

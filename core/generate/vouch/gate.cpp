@@ -31,8 +31,8 @@ class Outline {
         axis_ = free.low.y + rail.slack;
         enter_ = free.low.x - before_mouth;
         leave_ = free.high.x + before_mouth;
-        const double left = enter_ - run_ - rail.reach_before;
-        const double right = leave_ + run_ + rail.reach_after;
+        const double left = enter_ - run_ - rail.distance_before;
+        const double right = leave_ + run_ + rail.distance_after;
         const double top = axis_ + rail.leg;
         corners_ = {{{enter_, top},
                      {left, top},

@@ -23,11 +23,11 @@ std::vector<Gate> find_gates(std::span<const Box> obstacles, double max_height);
 /// joints stay on that rectangle's outline, so they are in convex position whatever they do.
 struct GateRail {
     Gate gate;
-    bool mirrored = false;    ///< the legs hang down instead of standing up
-    double reach_before = 0;  ///< from the first mouth to the upright leg, beyond one broom
-    double reach_after = 0;   ///< the same at the second mouth
-    double leg = 0;           ///< length of the upright leg
-    double slack = 0;         ///< distance of the brooms to the corridor's walls
+    bool mirrored = false;       ///< the legs hang down instead of standing up
+    double distance_before = 0;  ///< from the first mouth to the upright leg, beyond one broom
+    double distance_after = 0;   ///< the same at the second mouth
+    double leg = 0;              ///< length of the upright leg
+    double slack = 0;            ///< distance of the brooms to the corridor's walls
 };
 
 /// The chain's ASVs, counter-clockwise, when the joint behind the leading ASV stands at the

@@ -22,7 +22,7 @@ constexpr double longest_advance = 0.01;
 constexpr double shortest_advance = 2e-5;
 // Rails to try: lengths of the upright legs, and how far they stand from the mouths.
 constexpr std::array legs{0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6};
-constexpr std::array reaches{0.0, 0.03, 0.06, 0.08, 0.13, 0.18, 0.24, 0.3};
+constexpr std::array distances{0.0, 0.03, 0.06, 0.08, 0.13, 0.18, 0.24, 0.3};
 
 /// From the chain's state on a rail, by way of a shift away from the gate (towards +x or -x), to
 /// the round chain nearby, where that is possible.
@@ -73,21 +73,21 @@ std::optional<GatePassage> passage_on_rail(ProvenMotions& motions, const GateRai
     return passage;
 }
 
-/// Tries all rails with the leg; the end states depend on the reach of their own side alone.
+/// Tries all rails with the leg; the end states depend on the distance on their own side alone.
 std::optional<GatePassage> passage_with_leg(ProvenMotions& motions, const GateRail& likeness) {
-    std::array<std::optional<BentChain>, reaches.size()> before, after;
+    std::array<std::optional<BentChain>, distances.size()> before, after;
     GateRail rail = likeness;
-    for (std::size_t i = 0; i < reaches.size(); ++i) {
-        rail.reach_before = rail.reach_after = reaches[i];
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        rail.distance_before = rail.distance_after = distances[i];
         const RailSpan span = rail_span(rail, motions.asv_count(), motions.broom_length());
         before[i] = bent_from_rail(motions, rail, span.enter, -1);
         after[i] = bent_from_rail(motions, rail, span.leave, +1);
     }
-    for (std::size_t i = 0; i < reaches.size(); ++i) {
-        for (std::size_t k = 0; k < reaches.size(); ++k) {
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        for (std::size_t k = 0; k < distances.size(); ++k) {
             if (!before[i] || !after[k] || motions.checks() > max_checks) continue;
-            rail.reach_before = reaches[i];
-            rail.reach_after = reaches[k];
+            rail.distance_before = distances[i];
+            rail.distance_after = distances[k];
             if (auto found = passage_on_rail(motions, rail, *before[i], *after[k])) return found;
         }
     }

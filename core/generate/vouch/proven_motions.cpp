@@ -25,7 +25,7 @@ ProvenMotions::ProvenMotions(const Problem& problem)
     : problem_(problem),
       chain_(problem.asv_count(), problem.requirements.broom_length, Anchor::centroid),
       constraints_(make_constraints(problem_, chain_, narrow_margins)),
-      field_(constraints_.boxes),
+      field_(constraints_.obstacles),
       checker_(chain_, constraints_, field_),
       diameter_(round_diameter(problem.asv_count(), problem.requirements)),
       map_(problem_, diameter_ / 2) {}

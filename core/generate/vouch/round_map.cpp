@@ -40,9 +40,9 @@ void RoundMap::block(const Box& box, double radius) {
         return static_cast<std::uint32_t>(
             std::clamp(value / spacing_, 0.0, static_cast<double>(side_ - 1)));
     };
-    const Box reach = geometry::grown(box, radius);
-    for (std::uint32_t row = index(reach.low.y); row <= index(reach.high.y); ++row) {
-        for (std::uint32_t column = index(reach.low.x); column <= index(reach.high.x); ++column) {
+    const Box near = geometry::grown(box, radius);
+    for (std::uint32_t row = index(near.low.y); row <= index(near.high.y); ++row) {
+        for (std::uint32_t column = index(near.low.x); column <= index(near.high.x); ++column) {
             const std::uint32_t node = row * side_ + column;
             if (free_[node] && geometry::distance(place(node), box) <= radius) free_[node] = false;
         }

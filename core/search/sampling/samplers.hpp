@@ -214,19 +214,47 @@ Sampler<Space> make_sampler(const SamplerOptions& options) {
     return MixedSampler<Space>(std::move(parts));
 }
 
-/// A space that proposes what a sampler draws and is the given space otherwise.
+/// A space that proposes what a sampler draws and is the given space in all other operations of a
+/// SampledSpace.
 template <SampledSpace Space>
-class SampledBy : public Space {
+class SampledBy {
+    using Row = std::span<const double>;
+
   public:
+    /// arguments: those of the space.
     template <class... Arguments>
     explicit SampledBy(Sampler<Space> sampler, Arguments&&... arguments)
-        : Space(std::forward<Arguments>(arguments)...), sampler_(std::move(sampler)) {}
+        : space_(std::forward<Arguments>(arguments)...), sampler_(std::move(sampler)) {}
 
-    bool sample(Rng& rng, std::span<double> out) {
-        return sampler_(static_cast<Space&>(*this), rng, out);
+    bool sample(Rng& rng, std::span<double> out) { return sampler_(space_, rng, out); }
+
+    std::size_t dimension() const { return space_.dimension(); }
+    NearestNeighbours make_index() const { return space_.make_index(); }
+    WrappingAngles wrapping() const { return space_.wrapping(); }
+    double distance(Row a, Row b) const { return space_.distance(a, b); }
+    Steered steer(Row from, Row target, Configurations& visited) {
+        return space_.steer(from, target, visited);
     }
 
+    bool from_unit_cube(Row unit, std::span<double> out) {
+        return space_.from_unit_cube(unit, out);
+    }
+    double extent(std::size_t coordinate) const { return space_.extent(coordinate); }
+    void perturb(Rng& rng, Row row, double sigma, std::span<double> out) {
+        space_.perturb(rng, row, sigma, out);
+    }
+    bool collides(Row row) { return space_.collides(row); }
+    bool valid(Row row) { return space_.valid(row); }
+    bool motion_valid(Row from, Row to) { return space_.motion_valid(from, to); }
+    double cost(Row from, Row to) { return space_.cost(from, to); }
+    double cost_lower_bound(Row from, Row to) { return space_.cost_lower_bound(from, to); }
+
+    /// Of a space that counts its checks.
+    auto state_checks() const { return space_.state_checks(); }
+    auto motion_checks() const { return space_.motion_checks(); }
+
   private:
+    Space space_;
     Sampler<Space> sampler_;
 };
 

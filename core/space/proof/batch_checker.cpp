@@ -12,13 +12,13 @@ batch::ChainLimits limits_of(const Chain& chain, const ChainConstraints& constra
     limits.link = chain.broom_length();
     limits.bounds = constraints.bounds;
     limits.min_area = constraints.min_area;
-    limits.min_first_cross = constraints.min_first_turn;
-    limits.min_last_cross = constraints.min_last_turn;
-    limits.min_closing = constraints.min_closing;
+    limits.min_first_closing_turn = constraints.min_first_closing_turn;
+    limits.min_last_closing_turn = constraints.min_last_closing_turn;
+    limits.min_closing_side = constraints.min_closing_side;
     limits.min_turn = constraints.min_turn;
-    limits.greatest_turn = constraints.max_turn;
+    limits.max_turn = constraints.max_turn;
     // Nothing is asked of the total turn but what the closing turns ask.
-    limits.greatest_total_turn = std::numbers::pi * static_cast<double>(chain.asv_count());
+    limits.max_total_turn = std::numbers::pi * static_cast<double>(chain.asv_count());
     limits.anchor_lever.assign(chain.anchor_lever().begin(), chain.anchor_lever().end());
     return limits;
 }

@@ -19,17 +19,17 @@ double area(const Pose& pose) {
     return 0.5 * twice;
 }
 
-double last_turn(const Pose& pose) {
+double last_closing_turn(const Pose& pose) {
     const double rx = pose.x.front() - pose.x.back(), ry = pose.y.front() - pose.y.back();
     return pose.ux.back() * ry - pose.uy.back() * rx;
 }
 
-double first_turn(const Pose& pose) {
+double first_closing_turn(const Pose& pose) {
     const double rx = pose.x.front() - pose.x.back(), ry = pose.y.front() - pose.y.back();
     return rx * pose.uy.front() - ry * pose.ux.front();
 }
 
-double closing_length(const Pose& pose) {
+double closing_side(const Pose& pose) {
     return std::hypot(pose.x.front() - pose.x.back(), pose.y.front() - pose.y.back());
 }
 
@@ -77,7 +77,7 @@ void keep_clear(const Problem& problem, const std::vector<Pose>& ends, const Mar
         if (margin < 0)
             margin = kept(ends, margins, -e, e + margins.length,
                           [&](const Pose& pose) { return clearance(pose, shrunk) - e; });
-        result.boxes.push_back(geometry::grown(box, margin));
+        result.obstacles.push_back(geometry::grown(box, margin));
     }
 
     const auto extreme = [](const std::vector<double>& values, double sign) {
@@ -118,9 +118,9 @@ ChainConstraints make_constraints(const Problem& problem, const Chain& chain,
     };
     result.min_area = at_least(min_area, margins.relative_area * min_area, area);
     // The closing side may be short, so that what a step's chord cuts off would show as an angle.
-    result.min_last_turn = at_least(0, margins.length, last_turn);
-    result.min_first_turn = at_least(0, margins.length, first_turn);
-    result.min_closing = at_least(0, margins.closing, closing_length);
+    result.min_last_closing_turn = at_least(0, margins.length, last_closing_turn);
+    result.min_first_closing_turn = at_least(0, margins.length, first_closing_turn);
+    result.min_closing_side = at_least(0, margins.closing_side, closing_side);
     return result;
 }
 

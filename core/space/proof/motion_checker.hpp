@@ -7,7 +7,9 @@
 
 #include "core/chain/chain.hpp"
 #include "core/space/proof/chain_constraints.hpp"
+#include "core/space/proof/line_motion.hpp"
 #include "core/space/proof/obstacle_field.hpp"
+#include "core/space/proof/proven_stretch.hpp"
 
 namespace asv::core {
 
@@ -42,7 +44,7 @@ class MotionChecker {
                         double resolution);
 
     /// How far any point of the chain moved at most along the line that was looked at last.
-    double speed_bound() const { return speed_bound_; }
+    double speed_bound() const { return motion_.speed_bound(); }
 
     std::uint64_t state_checks() const { return state_checks_; }
     std::uint64_t motion_checks() const { return motion_checks_; }
@@ -51,37 +53,18 @@ class MotionChecker {
     struct Gap {
         double begin, end;
     };
-    /// How far the line is proven valid before and after a moment; negative: invalid there.
-    struct Reach {
-        double back, ahead;
-    };
 
     double prove(std::span<const double> from, std::span<const double> to, double resolution,
                  bool only_yes);
-    void begin_line(std::span<const double> from, std::span<const double> to);
-    Reach reach(double t, double back, double ahead);
-    void move_along(double t);
-    bool shape_reach(Reach& reach) const;
-    bool bounds_reach(Reach& reach) const;
-    bool obstacle_reach(Reach& reach) const;
-    bool scan_boxes(std::size_t broom, Reach& reach) const;
-    bool search_boxes(std::size_t broom, Reach& reach) const;
-    double farthest_motion(std::size_t broom, const Reach& reach) const;
-    bool broom_reach(std::size_t broom, const geometry::Box& box, Reach& reach) const;
+    /// What is proven around a moment of the line, at most so far back and ahead.
+    ProvenStretch prove_around(double t, double back, double ahead);
 
     const Chain& chain_;
     const ChainConstraints& constraints_;
     const ObstacleField& field_;
     double rounding_, finest_motion_;
 
-    std::span<const double> from_, to_;
-    std::vector<double> step_, row_, heading_rate_;
-    double speed_bound_ = 0;            ///< of every ASV, anywhere on the line
-    std::vector<double> acceleration_;  ///< bound for each ASV
-    std::vector<double> velocity_x_, velocity_y_;
-    double turn_curvature_first_ = 0, turn_curvature_last_ = 0, area_curvature_ = 0,
-           closing_curvature_ = 0;
-    Pose pose_;
+    LineMotion motion_;
     std::vector<Gap> gaps_;
     std::uint64_t state_checks_ = 0, motion_checks_ = 0;
 };

@@ -22,8 +22,10 @@ bool ShapeSampler::valid_shape(std::span<const double> row) {
     for (std::size_t i = 3; i < row.size(); ++i)
         if (row[i] > limits.max_turn) return false;
     checker_.chain().forward(row, pose_);
-    return area(pose_) >= limits.min_area && first_turn(pose_) >= limits.min_first_turn &&
-           last_turn(pose_) >= limits.min_last_turn && closing_length(pose_) >= limits.min_closing;
+    return area(pose_) >= limits.min_area &&
+           first_closing_turn(pose_) >= limits.min_first_closing_turn &&
+           last_closing_turn(pose_) >= limits.min_last_closing_turn &&
+           closing_side(pose_) >= limits.min_closing_side;
 }
 
 bool ShapeSampler::sample_shape(Rng& rng, std::span<double> row) {

@@ -43,7 +43,7 @@ void ConstrainedStep::linearise(std::span<const double> row, double step_length,
         double kept = 0;
         if (near.kind == Kind::point || near.kind == Kind::corner)
             kept = margin;
-        else if (near.kind == Kind::first_turn || near.kind == Kind::last_turn)
+        else if (near.kind == Kind::first_closing_turn || near.kind == Kind::last_closing_turn)
             kept = strictness * turn_margin * chain_.broom_length();
         else if (near.kind == Kind::area)
             kept = strictness * area_margin * constraints_.min_area;
@@ -51,18 +51,18 @@ void ConstrainedStep::linearise(std::span<const double> row, double step_length,
     }
 }
 
-/// Adds the constraint to the program unless no step of length reach can violate it.
-void ConstrainedStep::heed(const NearConstraint& near, double margin, double reach) {
+/// Adds the constraint to the program unless no step of that length can violate it.
+void ConstrainedStep::heed(const NearConstraint& near, double margin, double step_length) {
     const double gap = near_.gap(near, row_, pose_);
     // Down to the margin, and not at all where the gap is smaller already.
     const double change = -std::max(0.0, gap - margin);
-    if (near.kind == Kind::turn && -change * metric_.scale(3 + near.index) > reach) return;
+    if (near.kind == Kind::turn && -change * metric_.scale(3 + near.index) > step_length) return;
     near_.gradient(near, pose_, gradient_);
     const auto row = program_.add_row(change);
     to_scaled(gradient_, row);
     double square = 0;
     for (double value : row) square += value * value;
-    if (square == 0 || change * change > reach * reach * square)
+    if (square == 0 || change * change > step_length * step_length * square)
         program_.drop_row();
     else
         heeded_.push_back({near, gap, change});

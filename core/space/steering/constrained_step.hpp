@@ -50,7 +50,7 @@ class ConstrainedStep {
         double change;  ///< how much the gap may change at least
     };
 
-    void heed(const NearConstraint& near, double margin, double reach);
+    void heed(const NearConstraint& near, double margin, double step_length);
     void to_scaled(std::span<const double> gradient, std::span<double> row) const;
     void take(std::span<const double> step);
     bool correct(std::span<const double> step);

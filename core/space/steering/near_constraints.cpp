@@ -11,14 +11,15 @@ NearConstraints::NearConstraints(const Chain& chain, const ChainConstraints& con
                                  const ObstacleField& field)
     : chain_(chain), constraints_(constraints), field_(field) {}
 
-std::span<const NearConstraint> NearConstraints::find(const Pose& pose, double reach) {
+std::span<const NearConstraint> NearConstraints::find(const Pose& pose, double radius) {
     near_.clear();
     for (std::size_t i = 0; i < chain_.turn_count(); ++i)
         near_.push_back({.kind = Kind::turn, .index = i});
-    near_boxes(pose, reach);
-    near_bounds(pose, reach);
+    near_boxes(pose, radius);
+    near_bounds(pose, radius);
     if (chain_.asv_count() >= 3)
-        for (const Kind kind : {Kind::first_turn, Kind::last_turn, Kind::area, Kind::closing})
+        for (const Kind kind :
+             {Kind::first_closing_turn, Kind::last_closing_turn, Kind::area, Kind::closing_side})
             near_.push_back({.kind = kind});
     return near_;
 }
@@ -36,14 +37,14 @@ double NearConstraints::gap(const NearConstraint& near, std::span<const double> 
         case Kind::corner:
             return near.offset *
                    (pose.ux[k] * (near.ny - pose.y[k]) - pose.uy[k] * (near.nx - pose.x[k]));
-        case Kind::first_turn:
-            return first_turn(pose) - constraints_.min_first_turn;
-        case Kind::last_turn:
-            return last_turn(pose) - constraints_.min_last_turn;
+        case Kind::first_closing_turn:
+            return first_closing_turn(pose) - constraints_.min_first_closing_turn;
+        case Kind::last_closing_turn:
+            return last_closing_turn(pose) - constraints_.min_last_closing_turn;
         case Kind::area:
             return area(pose) - constraints_.min_area;
-        case Kind::closing:
-            return closing_length(pose) - constraints_.min_closing;
+        case Kind::closing_side:
+            return closing_side(pose) - constraints_.min_closing_side;
     }
     return 0;
 }
@@ -70,17 +71,17 @@ void NearConstraints::gradient(const NearConstraint& near, const Pose& pose,
                            out);
             break;
         }
-        case Kind::first_turn:
+        case Kind::first_closing_turn:
             closing_turn_gradient(0, 1, pose, by_heading);
             break;
-        case Kind::last_turn:
+        case Kind::last_closing_turn:
             closing_turn_gradient(chain_.broom_count() - 1, -1, pose, by_heading);
             break;
         case Kind::area:
             area_gradient(pose, by_heading);
             break;
-        case Kind::closing:
-            closing_gradient(pose, by_heading);
+        case Kind::closing_side:
+            closing_side_gradient(pose, by_heading);
             break;
     }
 }
@@ -116,7 +117,7 @@ void NearConstraints::area_gradient(const Pose& pose, std::span<double> by_headi
     }
 }
 
-void NearConstraints::closing_gradient(const Pose& pose, std::span<double> by_heading) const {
+void NearConstraints::closing_side_gradient(const Pose& pose, std::span<double> by_heading) const {
     const std::size_t n = chain_.asv_count();
     const double rx = pose.x[0] - pose.x[n - 1], ry = pose.y[0] - pose.y[n - 1];
     const double closing = std::max(std::hypot(rx, ry), 1e-300);
@@ -124,17 +125,17 @@ void NearConstraints::closing_gradient(const Pose& pose, std::span<double> by_he
         by_heading[k] = chain_.broom_length() * (rx * pose.uy[k] - ry * pose.ux[k]) / closing;
 }
 
-void NearConstraints::near_boxes(const Pose& pose, double reach) {
+void NearConstraints::near_boxes(const Pose& pose, double radius) {
     const std::size_t pieces = std::max<std::size_t>(chain_.broom_count(), 1);
     for (std::size_t k = 0; k < pieces; ++k) {
         const std::size_t other = chain_.broom_count() == 0 ? k : k + 1;
         const auto consider = [&](std::size_t i, const geometry::Box& box) {
-            near_box(k, i, box, pose, reach);
+            near_box(k, i, box, pose, radius);
         };
         if (field_.few())
             for (std::size_t i = 0; i < field_.all().size(); ++i) consider(i, field_.all()[i]);
         else
-            field_.visit_within({{pose.x[k], pose.y[k]}, {pose.x[other], pose.y[other]}}, reach,
+            field_.visit_within({{pose.x[k], pose.y[k]}, {pose.x[other], pose.y[other]}}, radius,
                                 consider);
     }
 }
@@ -142,14 +143,14 @@ void NearConstraints::near_boxes(const Pose& pose, double reach) {
 /// Keeps the broom on its side of the axis along which it is farthest from the box: both of its
 /// ends off a side, or its line off a corner.
 void NearConstraints::near_box(std::size_t k, std::size_t index, const geometry::Box& box,
-                               const Pose& pose, double reach) {
+                               const Pose& pose, double radius) {
     const bool point = chain_.broom_count() == 0;
     const std::size_t other = point ? k : k + 1;
     const double along_x = std::max(box.low.x - std::max(pose.x[k], pose.x[other]),
                                     std::min(pose.x[k], pose.x[other]) - box.high.x);
     const double along_y = std::max(box.low.y - std::max(pose.y[k], pose.y[other]),
                                     std::min(pose.y[k], pose.y[other]) - box.high.y);
-    if (std::max(along_x, along_y) > reach) return;
+    if (std::max(along_x, along_y) > radius) return;
     if (!point) {
         const double nx = -pose.uy[k], ny = pose.ux[k];
         const double middle = nx * (0.5 * (box.low.x + box.high.x) - pose.x[k]) +
@@ -158,7 +159,7 @@ void NearConstraints::near_box(std::size_t k, std::size_t index, const geometry:
         const double corner_x = side * nx > 0 ? box.low.x : box.high.x;
         const double corner_y = side * ny > 0 ? box.low.y : box.high.y;
         const double across = side * (nx * (corner_x - pose.x[k]) + ny * (corner_y - pose.y[k]));
-        if (across > reach) return;
+        if (across > radius) return;
         if (across > along_x && across > along_y) {
             near_.push_back({.kind = Kind::corner,
                              .index = k,
@@ -185,13 +186,13 @@ void NearConstraints::near_box(std::size_t k, std::size_t index, const geometry:
     }
 }
 
-void NearConstraints::near_bounds(const Pose& pose, double reach) {
+void NearConstraints::near_bounds(const Pose& pose, double radius) {
     const geometry::Box& b = constraints_.bounds;
     const std::size_t last_broom = std::max<std::size_t>(chain_.broom_count(), 1) - 1;
     for (std::size_t j = 0; j < chain_.asv_count(); ++j) {
         const std::size_t broom = std::min(j, last_broom);
         const auto side = [&](double gap, double nx, double ny, double offset) {
-            if (gap < reach)
+            if (gap < radius)
                 near_.push_back({.kind = Kind::point,
                                  .index = broom,
                                  .fraction = j == broom ? 0.0 : 1.0,

@@ -13,7 +13,17 @@ namespace asv::core {
 /// One requirement gap(configuration) >= 0 that is near. For a broom and a box the gap is that
 /// along one separating axis, which stays fixed.
 struct NearConstraint {
-    enum class Kind { turn, point, corner, first_turn, last_turn, area, closing };
+    /// Point and corner: collisions, or bounds (a point without a box). All others are called as in
+    /// ChainConstraints.
+    enum class Kind {
+        turn,
+        point,
+        corner,
+        first_closing_turn,
+        last_closing_turn,
+        area,
+        closing_side
+    };
     Kind kind = Kind::turn;
     static constexpr std::size_t no_box = static_cast<std::size_t>(-1);
     std::size_t index = 0;     ///< broom, or turn
@@ -40,9 +50,9 @@ class NearConstraints {
     NearConstraints(const Chain& chain, const ChainConstraints& constraints,
                     const ObstacleField& field);
 
-    /// All turns and all requirements of the shape, and what is within reach of a broom or an ASV
-    /// among obstacles and bounds. Valid until the next call.
-    std::span<const NearConstraint> find(const Pose& pose, double reach);
+    /// All turns and all requirements of the shape, and what is within the radius of a broom or an
+    /// ASV among obstacles and bounds. Valid until the next call.
+    std::span<const NearConstraint> find(const Pose& pose, double radius);
 
     /// The gap of the constraint at a configuration and its pose.
     double gap(const NearConstraint& near, std::span<const double> row, const Pose& pose) const;
@@ -55,14 +65,14 @@ class NearConstraints {
                         std::span<double> out) const;
 
   private:
-    void near_boxes(const Pose& pose, double reach);
+    void near_boxes(const Pose& pose, double radius);
     void near_box(std::size_t broom, std::size_t index, const geometry::Box& box, const Pose& pose,
-                  double reach);
-    void near_bounds(const Pose& pose, double reach);
+                  double radius);
+    void near_bounds(const Pose& pose, double radius);
     void closing_turn_gradient(std::size_t end, double sign, const Pose& pose,
                                std::span<double> by_heading) const;
     void area_gradient(const Pose& pose, std::span<double> by_heading) const;
-    void closing_gradient(const Pose& pose, std::span<double> by_heading) const;
+    void closing_side_gradient(const Pose& pose, std::span<double> by_heading) const;
 
     const Chain& chain_;
     const ChainConstraints& constraints_;

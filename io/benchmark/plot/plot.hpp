@@ -3,8 +3,8 @@
 #include <string>
 
 #include "io/benchmark/report.hpp"
-#include "io/drawing/canvas.hpp"
-#include "io/drawing/palette.hpp"
+#include "io/drawing/paint/canvas.hpp"
+#include "io/drawing/paint/palette.hpp"
 
 namespace asv::io {
 

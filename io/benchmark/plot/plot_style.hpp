@@ -3,8 +3,8 @@
 #include <cstddef>
 
 #include "geometry/primitives.hpp"
-#include "io/drawing/canvas.hpp"
-#include "io/drawing/palette.hpp"
+#include "io/drawing/paint/canvas.hpp"
+#include "io/drawing/paint/palette.hpp"
 
 /// How planners are told apart in a plot.
 

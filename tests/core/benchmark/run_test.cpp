@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/benchmark/machine_unit.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "io/problem/problem_file.hpp"
 
 namespace asv::core {

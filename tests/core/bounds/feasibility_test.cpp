@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/bounds/seams.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "tests/kit/squeeze.hpp"
 
 namespace asv::core {

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "geometry/free_plane/free_plane.hpp"
 #include "tests/kit/squeeze.hpp"
 

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "core/generate/flat_chain.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "geometry/predicates/distance.hpp"
 #include "geometry/predicates/polygon.hpp"
 

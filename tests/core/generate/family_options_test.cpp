@@ -139,7 +139,7 @@ TEST(Options, OutOfRangeAreNamed) {
                                   [](auto& o) { o.chain.area_margin = 1; });
     expect_named<CorridorOptions>(corridor, "least-turn", [](auto& o) { o.chain.min_turn = 1; });
     expect_named<CorridorOptions>(corridor, "least-closing",
-                                  [](auto& o) { o.chain.min_closing = 1; });
+                                  [](auto& o) { o.chain.min_closing_side = 1; });
     expect_named<CorridorOptions>(corridor, "height-factor",
                                   [&](auto& o) { o.height.factor = nan; });
     expect_named<CorridorOptions>(corridor, "height", [](auto& o) { o.height.absolute = 0; });

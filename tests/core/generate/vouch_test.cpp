@@ -9,7 +9,7 @@
 
 #include "core/chain/chain.hpp"
 #include "core/generate/families.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 
 namespace asv::core {
 namespace {

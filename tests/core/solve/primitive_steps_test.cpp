@@ -7,7 +7,7 @@
 #include "core/search/trees/two_trees.hpp"
 #include "core/space/sampling/shape_sampler.hpp"
 #include "core/space/steering/slide.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "tests/kit/oracle.hpp"
 
 namespace asv::core {

@@ -10,7 +10,7 @@
 #include "core/search/trees/interpolate.hpp"
 #include "core/solve/solve.hpp"
 #include "core/space/joint_space.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "geometry/predicates/segment_box.hpp"
 #include "tests/kit/support.hpp"
 

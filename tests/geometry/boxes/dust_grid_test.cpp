@@ -140,8 +140,8 @@ ChainLimits single_broom(double length, const Point& low) {
     ChainLimits limits;
     limits.link = length;
     limits.bounds = {{low.x - around, low.y - around}, {low.x + 1 + around, low.y + 1 + around}};
-    limits.min_area = limits.min_closing = -1;
-    limits.min_first_cross = limits.min_last_cross = -1;
+    limits.min_area = limits.min_closing_side = -1;
+    limits.min_first_closing_turn = limits.min_last_closing_turn = -1;
     return limits;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "asv/core/solve/solve.hpp"
-#include "asv/core/validate/validate.hpp"
+#include "asv/core/validation/validate.hpp"
 #include "asv/io/solution/solution_file.hpp"
 
 int main(int count, char** arguments) {

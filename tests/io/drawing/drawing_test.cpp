@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/drawing/page.hpp"
+#include "io/drawing/paint/page.hpp"
 #include "tests/kit/drawing_samples.hpp"
 
 namespace asv::io {

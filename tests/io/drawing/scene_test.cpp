@@ -1,5 +1,3 @@
-#include "io/drawing/scene.hpp"
-
 #include <algorithm>
 #include <fstream>
 #include <sstream>
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/predicates/distance.hpp"
+#include "io/drawing/scene/scene_outline.hpp"
 #include "tests/kit/drawing_samples.hpp"
 
 namespace asv::io {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/text/atomic_file.hpp"
 #include "tests/kit/run_program.hpp"

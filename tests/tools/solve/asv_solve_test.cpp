@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/solve/solve.hpp"
-#include "core/validate/validate.hpp"
+#include "core/validation/validate.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/solution/solution_file.hpp"
 #include "io/solution/trees_file.hpp"

@@ -110,8 +110,8 @@ TEST(ChainBatch, ValidAsByTheOracleWithTheSameBitsOnEveryTarget) {
     for (const std::size_t points : {2UL, 3UL, 7UL, 15UL, 40UL}) {
         ChainLimits limits = chain_limits(points);
         // Two points are a closing side that turns back exactly, but for rounding.
-        if (points == 2) limits.min_area = limits.min_closing = 0;
-        if (points == 2) limits.min_first_cross = limits.min_last_cross = -1e-12;
+        if (points == 2) limits.min_area = limits.min_closing_side = 0;
+        if (points == 2) limits.min_first_closing_turn = limits.min_last_closing_turn = -1e-12;
         for (const std::size_t boxes : {0UL, 1UL, 7UL, 30UL, 100UL, 700UL}) {
             const auto chains = random_chains(points, 8 * test_count(25), random, limits);
             const BoxIndex index(hard_boxes(boxes, chains, limits, draw));
@@ -197,15 +197,17 @@ TEST(ChainBatch, EveryLimitCounts) {
     const auto minus = [](const Point& p, const Point& q) { return Point{p.x - q.x, p.y - q.y}; };
     const auto cross = [](const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; };
     const Point closing = minus(at[0], at[6]);
-    expect_limit(&ChainLimits::min_closing, std::hypot(closing.x, closing.y), -1);
-    expect_limit(&ChainLimits::min_last_cross, cross(minus(at[6], at[5]), closing) / 0.05, -1);
-    expect_limit(&ChainLimits::min_first_cross, cross(closing, minus(at[1], at[0])) / 0.05, -1);
-    expect_limit(&ChainLimits::greatest_total_turn, row[7] - row[2], 1);
+    expect_limit(&ChainLimits::min_closing_side, std::hypot(closing.x, closing.y), -1);
+    expect_limit(&ChainLimits::min_last_closing_turn, cross(minus(at[6], at[5]), closing) / 0.05,
+                 -1);
+    expect_limit(&ChainLimits::min_first_closing_turn, cross(closing, minus(at[1], at[0])) / 0.05,
+                 -1);
+    expect_limit(&ChainLimits::max_total_turn, row[7] - row[2], 1);
     double area = 0, greatest = 0;
     for (std::size_t k = 0; k < 7; ++k) area += cross(at[k], at[(k + 1) % 7]) / 2;
     for (std::size_t k = 3; k < 8; ++k) greatest = std::max(greatest, row[k] - row[k - 1]);
     expect_limit(&ChainLimits::min_area, area, -1);
-    expect_limit(&ChainLimits::greatest_turn, greatest, 1);
+    expect_limit(&ChainLimits::max_turn, greatest, 1);
     for (std::size_t k = 0; k < 5; ++k) {
         ChainLimits limits = loose;
         limits.min_turn[k] = row[3 + k] - row[2 + k] - 1e-9;

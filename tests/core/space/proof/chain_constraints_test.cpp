@@ -30,9 +30,10 @@ TEST(ChainConstraints, MeasuresOfAPose) {
         const double closing = std::hypot(p[0].x - p[n - 1].x, p[0].y - p[n - 1].y);
         const double side = std::atan2(p[0].y - p[n - 1].y, p[0].x - p[n - 1].x);
         EXPECT_NEAR(area(pose), geometry::signed_area(p), 1e-14);
-        EXPECT_NEAR(closing_length(pose), closing, 1e-14);
-        EXPECT_NEAR(last_turn(pose), closing * std::sin(side - pose.heading.back()), 1e-13);
-        EXPECT_NEAR(first_turn(pose), closing * std::sin(pose.heading.front() - side), 1e-13);
+        EXPECT_NEAR(closing_side(pose), closing, 1e-14);
+        EXPECT_NEAR(last_closing_turn(pose), closing * std::sin(side - pose.heading.back()), 1e-13);
+        EXPECT_NEAR(first_closing_turn(pose), closing * std::sin(pose.heading.front() - side),
+                    1e-13);
     });
 }
 
@@ -42,11 +43,11 @@ TEST(ChainConstraints, EndsWithRoomLeaveTheFullMargins) {
     const Chain chain(7, 0.05, Anchor::centroid);
     const Margins margins;
     const ChainConstraints limits = make_constraints(problem, chain);
-    EXPECT_EQ(limits.boxes.at(0), geometry::grown(problem.obstacles[0], margins.length));
+    EXPECT_EQ(limits.obstacles.at(0), geometry::grown(problem.obstacles[0], margins.length));
     EXPECT_EQ(limits.bounds, geometry::grown({{0, 0}, {1, 1}}, -margins.length));
     const double least = problem.requirements.min_area(7);
     EXPECT_DOUBLE_EQ(limits.min_area, least * (1 + margins.relative_area));
-    EXPECT_DOUBLE_EQ(limits.min_closing, margins.closing);
+    EXPECT_DOUBLE_EQ(limits.min_closing_side, margins.closing_side);
     for (const double turn : limits.min_turn) EXPECT_EQ(turn, 0);
 }
 
@@ -60,8 +61,8 @@ TEST(ChainConstraints, ATightEndLeavesNoMoreMarginThanItHas) {
         for (const Problem& problem :
              {testing::problem(low, high, {below}), testing::problem(high, low, {below})}) {
             const ChainConstraints limits = make_constraints(problem, chain);
-            EXPECT_NEAR(limits.boxes.at(0).high.y, 0.5, 2e-11) << gap;
-            EXPECT_LT(limits.boxes.at(0).high.y, 0.5) << gap;
+            EXPECT_NEAR(limits.obstacles.at(0).high.y, 0.5, 2e-11) << gap;
+            EXPECT_LT(limits.obstacles.at(0).high.y, 0.5) << gap;
         }
     }
 }

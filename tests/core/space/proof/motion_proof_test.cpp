@@ -38,12 +38,12 @@ core::batch::ChainLimits limits_of(const ChainWorld& world, double slack) {
     limits.link = world.chain.broom_length();
     limits.bounds = geometry::grown(from.bounds, slack);
     limits.min_area = from.min_area - slack;
-    limits.min_first_cross = from.min_first_turn - slack;
-    limits.min_last_cross = from.min_last_turn - slack;
-    limits.min_closing = from.min_closing - slack;
+    limits.min_first_closing_turn = from.min_first_closing_turn - slack;
+    limits.min_last_closing_turn = from.min_last_closing_turn - slack;
+    limits.min_closing_side = from.min_closing_side - slack;
     for (const double turn : from.min_turn) limits.min_turn.push_back(turn - slack);
-    limits.greatest_turn = from.max_turn + slack;
-    limits.greatest_total_turn = 1e3;  // the closing turns see to that
+    limits.max_turn = from.max_turn + slack;
+    limits.max_total_turn = 1e3;  // the closing turns see to that
     limits.anchor_lever.assign(world.chain.anchor_lever().begin(),
                                world.chain.anchor_lever().end());
     return limits;
@@ -138,7 +138,7 @@ class Place {
     ChainWorld world_;
     MotionChecker checker_;
     ShapeSampler sampler_;
-    geometry::BoxIndex index_{world_.constraints.boxes};
+    geometry::BoxIndex index_{world_.constraints.obstacles};
     core::batch::ChainLimits limits_, loose_;
     core::batch::ChainBatch kernel_;
     core::batch::LineCheck line_check_;

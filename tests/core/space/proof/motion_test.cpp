@@ -258,7 +258,7 @@ TEST(Motion, AThousandBoxesGiveTheAnswersOfTheirParts) {
     // Checkers that know few enough boxes to look at all of them.
     std::vector<ChainConstraints> limits;
     std::vector<ObstacleField> fields;
-    const auto& boxes = place.world.constraints.boxes;
+    const auto& boxes = place.world.constraints.obstacles;
     for (std::size_t i = 0; i < boxes.size(); i += 10) {
         limits.push_back(place.world.constraints);
         fields.emplace_back(

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/validation/state_checks.hpp"
+
+/// The requirements on a path as a whole.
+
+namespace asv::core::validation {
+
+/// Every ASV is within the tolerance of where it should be. Room: length.
+Finding check_end(State state, State wanted, const Requirements& requirements);
+
+/// No ASV moves farther than the longest step. Room: length.
+Finding check_step(State from, State to, const Requirements& requirements);
+
+/// The distance that all ASVs together move from one state to the next.
+double step_cost(State from, State to);
+
+/// The written cost is within the tolerance of the computed one. Room: length.
+Finding check_cost(double written, double computed, const Requirements& requirements);
+
+}  // namespace asv::core::validation
