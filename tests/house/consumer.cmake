@@ -17,7 +17,7 @@ endfunction()
 # configure(PREFIX FOLDER [options...]): the project of a stranger; sets code.
 function(configure prefix folder)
   execute_process(
-    COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/consumer -B ${folder} -G ${GENERATOR}
+    COMMAND ${CMAKE_COMMAND} --no-warn-unused-cli -S ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/consumer -B ${folder} -G ${GENERATOR}
       -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_BUILD_TYPE=${CONFIGURATION}
       -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
       -D CMAKE_CXX_FLAGS=${FLAGS} ${ARGN}

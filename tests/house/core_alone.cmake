@@ -3,7 +3,7 @@
 # Usage: cmake -D SOURCE= -D GENERATOR= -D COMPILER= -D WORK= -P core_alone.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/packages_of_io.cmake)
 file(REMOVE_RECURSE ${WORK})
-set(configure ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK} -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${COMPILER}
+set(configure ${CMAKE_COMMAND} --no-warn-unused-cli -S ${SOURCE} -B ${WORK} -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${COMPILER}
   -D ASV_BUILD_IO=OFF ${without_packages_of_io})
 
 execute_process(COMMAND ${configure} COMMAND_ERROR_IS_FATAL ANY)
