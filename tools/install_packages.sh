@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that the project needs: install_packages.sh [build|test].
-# "build" is what the libraries and programs need, "test" adds what the tests need.
+# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci].
+# "build" is what the libraries and programs need, "test" adds what the tests need, "ci" the second
+# compiler.
 set -euo pipefail
 
 build_packages=(
@@ -18,10 +19,17 @@ build_packages=(
 test_packages=(
     libgtest-dev librapidcheck-dev # unit and property tests
     libbenchmark-dev               # benchmarks
+    clang-format universal-ctags   # the form and the sizes of the sources
+    gdb                            # the walk through the program
+)
+ci_packages=(
+    clang                          # a second compiler
 )
 
+what=${1:-build}
 packages=("${build_packages[@]}")
-if [ "${1:-build}" = test ]; then
+[ "$what" != ci ] || packages+=("${ci_packages[@]}")
+if [ "$what" != build ]; then
     packages+=("${test_packages[@]}")
     # A browser to open the player in, and what drives it; other sources of node serve as well.
     command -v chromium > /dev/null || packages+=(chromium)

@@ -1,16 +1,41 @@
 #!/usr/bin/env bash
-# Installs what is needed, builds and runs all tests as users run the programs (release).
-# test.sh PRESET... runs them in other builds: test.sh asan with the sanitizers for memory and
-# undefined behaviour, test.sh tsan with the one for threads.
+# Installs what is needed, builds and runs all tests as users run the programs (release), and says at
+# the end which were skipped and why.
+# test.sh PRESET... runs them in other builds: asan with the sanitizers for memory and undefined
+# behaviour, tsan with the one for threads (only tests that start some), clang with that compiler.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-tools/install_packages.sh test
 presets=("$@")
 [ $# -gt 0 ] || presets=(release)
+case " ${presets[*]} " in
+    *" clang "*) tools/install_packages.sh ci ;;
+    *) tools/install_packages.sh test ;;
+esac
+
+# skipped REPORT: the tests of a JUnit report that did not run, each with what it said.
+skipped() {
+    awk '
+        /<testcase / { name = $0; sub(/.*<testcase name="/, "", name); sub(/".*/, "", name) }
+        /<skipped/ { skips = 1; why = "" }
+        said { why = $0; said = 0 }
+        /: Skipped$/ { said = 1 }
+        /skipped: / { why = $0; sub(/.*skipped: /, "", why) }
+        /<\/testcase>/ {
+            sub(/<\/system-out>.*/, "", why)
+            if (skips) print "Skipped: " name (why == "" ? "" : " (" why ")")
+            skips = 0
+        }
+    ' "$1"
+}
+
 for name in "${presets[@]}"; do
     echo "== $name"
     cmake --preset "$name" -DASV_BUILD_TESTS=ON -DASV_WARNINGS_AS_ERRORS=ON
     cmake --build --preset "$name"
-    ctest --preset "$name" -j "$(nproc)"
+    report=build/$name/tests.xml
+    code=0
+    ctest --preset "$name" -j "$(nproc)" --output-junit "$PWD/$report" || code=$?
+    skipped "$report"
+    [ "$code" -eq 0 ] || exit "$code"
 done

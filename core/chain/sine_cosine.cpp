@@ -28,7 +28,9 @@ void sine_cosine(std::span<const double> angle, std::span<double> sine, std::spa
     double* out_sine = sine.data();
     double* out_cosine = cosine.data();
     const std::size_t count = angle.size();
+#if !defined(__clang__)
 #pragma GCC ivdep
+#endif
     for (std::size_t i = 0; i < count; ++i) {
         const double quarters = (in[i] * two_over_pi + round_to_integer) - round_to_integer;
         const double r =

@@ -36,7 +36,7 @@ HWY_INLINE void sin_cos(D d, V angle, V& sin, V& cos) {
     const auto k = hn::BitCast(du, shifted);
     // (Not IfNegativeThenElse, which in Highway 1.0.3 looks at more than the sign on SSSE3.)
     const auto odd = hn::RebindMask(d, hn::TestBit(k, hn::Set(du, 1)));
-    const auto sign = [d, du](auto bits) HWY_ATTR {
+    const auto sign = [d](auto bits) HWY_ATTR {
         return hn::And(hn::BitCast(d, hn::ShiftLeft<62>(bits)), hn::SignBit(d));
     };
     sin = hn::Xor(hn::IfThenElse(odd, c, s), sign(k));

@@ -96,9 +96,9 @@ class RatioReporter : public benchmark::ConsoleReporter {
         std::printf("\n%-28s %12s %12s %10s %10s %10s\n", "checks", "kernel/s", "ns/check",
                     "x scalar", "x CGAL", "x Boost");
         for (const auto& [name, rates] : rates_) {
-            const auto rate = [&rates](const char* who) {
-                const auto found = rates.find(who);
-                return found == rates.end() ? 0 : found->second;
+            const auto rate = [&known = rates](const char* who) {
+                const auto found = known.find(who);
+                return found == known.end() ? 0 : found->second;
             };
             const double kernel = rate("kernel");
             std::printf("%-28s %12.4g %12.1f", name.c_str(), kernel, 1e9 / kernel);
@@ -148,8 +148,8 @@ bool choose_simd_target(int& argc, char** argv) {
 
 int main(int argc, char** argv) {
     if (!choose_simd_target(argc, argv)) return 2;
-    for (const std::size_t points : {3, 7, 15, 25}) {
-        for (const std::size_t boxes : {2, 7, 100, 10'000, 1'000'000}) {
+    for (const std::size_t points : {3U, 7U, 15U, 25U}) {
+        for (const std::size_t boxes : {2U, 7U, 100U, 10'000U, 1'000'000U}) {
             register_case({"dust", points, boxes});
             if (boxes >= 100) register_case({"map", points, boxes});
         }

@@ -55,10 +55,10 @@ cairo_surface_t* make_surface(PictureFormat format, double width, double height,
 
 struct Canvas::Handles {
     struct FreeSurface {
-        void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+        void operator()(cairo_surface_t* freed) const { cairo_surface_destroy(freed); }
     };
     struct FreeContext {
-        void operator()(cairo_t* context) const { cairo_destroy(context); }
+        void operator()(cairo_t* freed) const { cairo_destroy(freed); }
     };
     std::unique_ptr<cairo_surface_t, FreeSurface> surface;
     std::unique_ptr<cairo_t, FreeContext> context;

@@ -1,4 +1,4 @@
-// What a stranger does with the installed package: states a problem, solves it, writes the
+// What a stranger does with the whole package: states a problem, solves it, writes the
 // solution, reads it back and has it checked.
 
 #include <cstdio>
