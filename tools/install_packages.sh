@@ -18,7 +18,6 @@ build_packages=(
 test_packages=(
     libgtest-dev librapidcheck-dev # unit and property tests
     libbenchmark-dev               # benchmarks
-    gdb                            # follows a problem file for the walk in ARCHITECTURE.md
 )
 
 packages=("${build_packages[@]}")
