@@ -10,7 +10,7 @@ bad=0
 for page in "${pages[@]}"; do
     [ "$page" != docs/history.md ] || continue
     while IFS=: read -r line path; do
-        if ! compgen -G "$path" > /dev/null; then
+        if ! compgen -G "${path%/}" > /dev/null; then
             echo "$page:$line: no file $path"
             bad=1
         fi
