@@ -9,7 +9,7 @@
 
 #include "tests/benchmark/scene.hpp"
 #include "tests/benchmark/simd_target.hpp"
-#include "tests/benchmark/worlds.hpp"
+#include "tests/kit/batch/batch_worlds.hpp"
 
 /// State checks per second (kinematics, bounds, turns, closing turns, area, collision) on valid
 /// states, so that no check ends early: the SIMD kernels beside a scalar loop, CGAL and
@@ -38,9 +38,9 @@ const Scene& scene_of(const Case& wanted) {
     static std::string name;
     static std::unique_ptr<Scene> scene;
     if (name != wanted.name()) {
-        benchmark_worlds::Random random(1);
-        auto boxes = wanted.world == "map" ? benchmark_worlds::grid_map(wanted.boxes, random)
-                                           : benchmark_worlds::dust(wanted.boxes, random);
+        asv::test::Random random(1);
+        auto boxes = wanted.world == "map" ? asv::test::grid_map(wanted.boxes, random)
+                                           : asv::test::dust(wanted.boxes, random);
         scene = std::make_unique<Scene>(wanted.points, std::move(boxes), 2048);
         name = wanted.name();
     }

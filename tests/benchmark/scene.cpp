@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/benchmark/scalar_chain.hpp"
-#include "tests/benchmark/worlds.hpp"
-#include "tests/kit/geometry/line_check.hpp"
+#include "tests/kit/batch/batch_worlds.hpp"
+#include "tests/kit/batch/line_check.hpp"
 
 namespace asv::geometry::benchmark_scene {
 
@@ -14,9 +14,9 @@ Scene::Scene(std::size_t given_points, std::vector<Box> given_boxes, std::size_t
     : points(given_points),
       boxes(std::move(given_boxes)),
       index(boxes),
-      limits(benchmark_worlds::chain_limits(points)) {
-    benchmark_worlds::Random random(points);
-    chains = benchmark_worlds::valid_chains(points, chain_count, boxes, random);
+      limits(test::chain_limits(points)) {
+    test::Random random(points);
+    chains = test::valid_chains(points, chain_count, boxes, random);
     chains.resize(chains.size() / geometry::simd::lanes * geometry::simd::lanes);
     const std::size_t rows = points + 1;
     packs.resize(chains.size() / geometry::simd::lanes * rows);
@@ -31,7 +31,7 @@ Scene::Scene(std::size_t given_points, std::vector<Box> given_boxes, std::size_t
 void Scene::add_lines() {
     constexpr double motion = 0.1, resolution = 1e-6;
     core::batch::ChainBatch batch(points - 1, limits, index);
-    core::batch::LineCheck check(batch);
+    test::LineCheck check(batch);
     for (std::size_t i = 1; i < chains.size(); ++i) {
         Line line{chains[i - 1], chains[i]};
         for (std::size_t k = 0; k < line.step.size(); ++k) line.step[k] -= line.from[k];
@@ -106,7 +106,7 @@ class LineKernel : public Contender {
   private:
     const Scene& scene_;
     core::batch::ChainBatch batch_;
-    core::batch::LineCheck check_;
+    test::LineCheck check_;
 };
 
 class LineScalar : public Contender {

@@ -9,7 +9,7 @@
 
 #include "core/bounds/seams.hpp"
 #include "core/validation/validate.hpp"
-#include "tests/kit/squeeze.hpp"
+#include "tests/kit/wall_of_two.hpp"
 
 namespace asv::core {
 namespace {
@@ -30,14 +30,14 @@ Problem reversed(Problem problem) {
 
 /// A wall in one piece across the square.
 Problem walled_off(std::size_t asv_count) {
-    Problem problem = wall_of_two(asv_count, 1);
+    Problem problem = test::wall_of_two(asv_count, 1);
     problem.obstacles = {{{0.5, -0.1}, {0.6, 1.1}}};
     return problem;
 }
 
 TEST(Feasibility, FindsNothingWhereThereIsAWay) {
     for (const std::size_t n : {3u, 5u, 7u}) {
-        const Problem problem = wall_of_two(n, 0.9);
+        const Problem problem = test::wall_of_two(n, 0.9);
         ASSERT_TRUE(validate_state(problem, problem.start).valid());
         ASSERT_TRUE(validate_state(problem, problem.goal).valid());
         for (const Problem& p : {problem, mirrored(problem), reversed(problem)}) {
@@ -69,10 +69,10 @@ TEST(Feasibility, NamesTheAsvThatIsSeparated) {
 }
 
 TEST(Feasibility, TouchingBoxesAreAProofForShortChainsOnly) {
-    EXPECT_EQ(check_feasibility(wall_of_two(3, 1)).cause, Infeasibility::separated);
-    const Problem problem = wall_of_two(7, 1);
+    EXPECT_EQ(check_feasibility(test::wall_of_two(3, 1)).cause, Infeasibility::separated);
+    const Problem problem = test::wall_of_two(7, 1);
     // Far-fetched, but true: this problem has a solution.
-    ASSERT_TRUE(validate(problem, squeeze_through(problem), {.continuous = true}).valid());
+    ASSERT_TRUE(validate(problem, test::squeeze_through(problem), {.continuous = true}).valid());
     const Feasibility feasibility = check_feasibility(problem);
     EXPECT_EQ(feasibility.cause, Infeasibility::separated_as_intended);
     EXPECT_FALSE(feasibility.proven_infeasible());
@@ -80,7 +80,7 @@ TEST(Feasibility, TouchingBoxesAreAProofForShortChainsOnly) {
 }
 
 TEST(Feasibility, AGapWiderThanTheToleranceIsOpen) {
-    Problem problem = wall_of_two(3, 1);
+    Problem problem = test::wall_of_two(3, 1);
     problem.obstacles[0].high.y -= 2.1e-5;
     EXPECT_EQ(check_feasibility(problem).cause, Infeasibility::none);
 }
@@ -102,7 +102,7 @@ TEST(Feasibility, TwoAsvsHaveNoArea) {
 }
 
 TEST(Feasibility, AreaThatNoChainEncloses) {
-    Problem problem = wall_of_two(7, 0.9);
+    Problem problem = test::wall_of_two(7, 0.9);
     // A half circle 0.3 long has the radius 0.3 / pi.
     problem.requirements.area_radius_per_broom = 0.3 / std::numbers::pi / std::numbers::sqrt2 / 6;
     EXPECT_EQ(check_feasibility(problem).cause, Infeasibility::none);
@@ -112,7 +112,7 @@ TEST(Feasibility, AreaThatNoChainEncloses) {
 
 TEST(Feasibility, OppositeOrientation) {
     for (const std::size_t n : {3u, 7u}) {
-        Problem problem = wall_of_two(n, 0.9);
+        Problem problem = test::wall_of_two(n, 0.9);
         std::reverse(problem.goal.begin(), problem.goal.end());
         const Feasibility feasibility = check_feasibility(problem);
         EXPECT_EQ(feasibility.cause, Infeasibility::opposite_orientation);
@@ -122,7 +122,7 @@ TEST(Feasibility, OppositeOrientation) {
                   "have to enclose no area");
         EXPECT_EQ(check_feasibility(mirrored(problem)).cause, Infeasibility::opposite_orientation);
     }
-    Problem leaping = wall_of_two(3, 0.9);
+    Problem leaping = test::wall_of_two(3, 0.9);
     std::reverse(leaping.goal.begin(), leaping.goal.end());
     leaping.requirements.max_step = 0.05;
     EXPECT_EQ(check_feasibility(leaping).cause, Infeasibility::none)

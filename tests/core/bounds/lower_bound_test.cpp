@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -12,7 +11,8 @@
 
 #include "core/validation/validate.hpp"
 #include "geometry/free_plane/free_plane.hpp"
-#include "tests/kit/squeeze.hpp"
+#include "tests/kit/random.hpp"
+#include "tests/kit/wall_of_two.hpp"
 
 namespace asv::core {
 namespace {
@@ -92,8 +92,8 @@ TEST(CostLowerBound, IsSmallerWithLessEffortAndStillABound) {
 }
 
 TEST(CostLowerBound, NeverExceedsAPathThatTheValidatorAccepts) {
-    const Problem problem = wall_of_two(7, 0.95);
-    const Solution squeezed = squeeze_through(problem);
+    const Problem problem = test::wall_of_two(7, 0.95);
+    const Solution squeezed = test::squeeze_through(problem);
     const ValidationReport report = validate(problem, squeezed, {.continuous = true});
     for (const CheckResult& check : report.checks) EXPECT_TRUE(check.ok()) << describe(check);
     EXPECT_LE(cost_lower_bound(problem, Reading::literal).total, squeezed.cost);
@@ -120,8 +120,8 @@ TEST(CostLowerBound, AgreesWithSealedSpaceOnAGrid) {
     constexpr int side = 12;
     const auto at = [](std::uint64_t i) { return static_cast<double>(i) / side; };
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-        std::mt19937_64 engine(seed);
-        const auto draw = [&](std::uint64_t count) { return engine() % count; };
+        test::Random random(seed);
+        const auto draw = [&](std::size_t count) { return random.below(count); };
         std::vector<Box> boxes;
         for (std::uint64_t i = 0; i < 2 + seed % 14; ++i) {
             const std::uint64_t x = draw(side);
@@ -146,7 +146,7 @@ TEST(CostLowerBound, AgreesWithSealedSpaceOnAGrid) {
 }
 
 TEST(CostLowerBound, ABroomInTheSeamOpensIt) {
-    Problem problem = wall_of_two(7, 1);
+    Problem problem = test::wall_of_two(7, 1);
     EXPECT_EQ(cost_lower_bound(problem).total, infinity);
     problem.goal = problem.start;
     for (Point& point : problem.goal) point.x += 0.08;

@@ -4,14 +4,16 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "tests/kit/support.hpp"
+#include "core/model/problem.hpp"
+#include "tests/kit/configurations.hpp"
+#include "tests/kit/seeds.hpp"
 
 namespace asv::core {
 namespace {
 
-using testing::for_seeds;
-using testing::Points;
-using testing::Row;
+using test::for_seeds;
+using test::Points;
+using test::Row;
 
 constexpr std::size_t sizes[] = {1, 2, 3, 7, 25, 50};
 constexpr double pi = std::numbers::pi;
@@ -47,21 +49,21 @@ void expect_near(const Points& found, const Points& expected, double tolerance) 
 TEST_P(ChainOf, ForwardIsTheTextbook) {
     for_seeds(50, [&](Rng& rng) {
         const Row row = random_row(rng);
-        expect_near(forward(chain, row), testing::positions_of(chain, row), 1e-14);
+        expect_near(forward(chain, row), test::positions_of(chain, row), 1e-14);
     });
 }
 
 TEST_P(ChainOf, RoundTripKeepsThePositions) {
     for_seeds(50, [&](Rng& rng) {
-        const Points points = testing::positions_of(chain, random_row(rng));
-        expect_near(forward(chain, testing::row_of(chain, points)), points, 1e-13);
+        const Points points = test::positions_of(chain, random_row(rng));
+        expect_near(forward(chain, test::row_of(chain, points)), points, 1e-13);
     });
 }
 
 TEST_P(ChainOf, RoundTripKeepsTheRowUpToFullTurns) {
     for_seeds(50, [&](Rng& rng) {
         const Row row = random_row(rng);
-        const Row back = testing::row_of(chain, forward(chain, row));
+        const Row back = test::row_of(chain, forward(chain, row));
         ASSERT_EQ(back.size(), chain.dimension());
         for (std::size_t i = 0; i < row.size(); ++i) {
             const double full = i == 2 ? 2 * pi : 0;
@@ -74,11 +76,11 @@ TEST_P(ChainOf, RoundTripKeepsTheRowUpToFullTurns) {
 
 TEST_P(ChainOf, RoundingOfAFileSpreadsOverTheChain) {
     for_seeds(50, [&](Rng& rng) {
-        Points points = testing::positions_of(chain, random_row(rng));
+        Points points = test::positions_of(chain, random_row(rng));
         for (Point& p : points) p = {std::round(p.x * 1e6) / 1e6, std::round(p.y * 1e6) / 1e6};
         // Each broom is off by less than the diagonal of a grid cell.
         const double most = 1.5e-6 * static_cast<double>(chain.broom_count()) + 1e-15;
-        expect_near(forward(chain, testing::row_of(chain, points)), points, most);
+        expect_near(forward(chain, test::row_of(chain, points)), points, most);
     });
 }
 
@@ -107,7 +109,7 @@ TEST_P(ChainOf, LeversAreDerivatives) {
         const std::size_t j = rng.below(chain.broom_count());
         const double s = rng.uniform();
         const auto point = [&](const Row& at) {
-            const Points p = testing::positions_of(chain, at);
+            const Points p = test::positions_of(chain, at);
             return Point{p[j].x + s * (p[j + 1].x - p[j].x), p[j].y + s * (p[j + 1].y - p[j].y)};
         };
         for (std::size_t i = 2; i < row.size(); ++i) {
@@ -152,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, ChainOf,
 
 TEST(Chain, StraightJointsHaveNoTurn) {
     const Chain chain(4, 0.05, Anchor::first_asv);
-    const Row row = testing::row_of(chain, {{0, 0}, {0.05, 0}, {0.1, 0}, {0.1, 0.05}});
+    const Row row = test::row_of(chain, {{0, 0}, {0.05, 0}, {0.1, 0}, {0.1, 0.05}});
     EXPECT_EQ(row, (Row{0, 0, 0, 0, pi / 2}));
 }
 

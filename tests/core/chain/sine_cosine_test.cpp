@@ -4,7 +4,8 @@
 #include <numbers>
 #include <vector>
 
-#include "tests/kit/support.hpp"
+#include "tests/kit/configurations.hpp"
+#include "tests/kit/seeds.hpp"
 
 namespace asv::core {
 namespace {
@@ -21,7 +22,7 @@ void expect_right(const std::vector<double>& angles) {
 }
 
 TEST(SineCosine, AgreesWithTheLibrary) {
-    testing::for_seeds(10, [](Rng& rng) {
+    test::for_seeds(10, [](Rng& rng) {
         std::vector<double> angles;
         for (const double range : {0.8, 4.0, 100.0, 99999.0})
             for (int i = 0; i < 10000; ++i) angles.push_back(rng.uniform(-range, range));

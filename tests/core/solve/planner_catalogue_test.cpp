@@ -8,19 +8,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/kit/error_message.hpp"
+
 namespace asv::core {
 namespace {
 
 /// What the call's std::invalid_argument says.
 template <class Call>
 std::string refusal(Call&& call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    ADD_FAILURE() << "nothing was refused";
-    return {};
+    return test::error_message<std::invalid_argument>(call);
 }
 
 /// The value as the setting takes it.

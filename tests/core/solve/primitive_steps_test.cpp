@@ -8,19 +8,24 @@
 #include "core/space/sampling/shape_sampler.hpp"
 #include "core/space/steering/slide.hpp"
 #include "core/validation/validate.hpp"
-#include "tests/kit/oracle.hpp"
+#include "tests/kit/check_results.hpp"
+#include "tests/kit/problems.hpp"
+#include "tests/kit/scaled.hpp"
+#include "tests/kit/seeds.hpp"
+#include "tests/kit/wandering_path.hpp"
 
 namespace asv::core {
 namespace {
 
-using testing::between;
-using testing::for_seeds;
-using testing::moved;
-using testing::nth;
-using testing::Points;
-using testing::ring;
-using testing::Row;
-using testing::scaled;
+using test::between;
+using test::farthest_move;
+using test::for_seeds;
+using test::moved;
+using test::nth;
+using test::Points;
+using test::ring;
+using test::Row;
+using test::scaled;
 
 Path steps_of(const Problem& problem, const Configurations& rows) {
     const ChainWorld world(problem, Anchor::centroid);
@@ -28,38 +33,24 @@ Path steps_of(const Problem& problem, const Configurations& rows) {
     return primitive_steps(world.problem, rows, checker);
 }
 
-double farthest(std::span<const Point> a, std::span<const Point> b) {
-    double most = 0;
-    for (std::size_t j = 0; j < a.size(); ++j)
-        most = std::max(most, std::hypot(a[j].x - b[j].x, a[j].y - b[j].y));
-    return most;
-}
-
-void expect_valid(const Problem& problem, const Path& path, const ValidationOptions& options) {
-    const ValidationReport report = validate(problem, {path, cost(path)}, options);
-    for (const auto* checks : {&report.checks, &report.motion})
-        for (const CheckResult& check : *checks)
-            ASSERT_TRUE(check.ok()) << name(check.check) << ": " << describe(check);
-}
-
 void expect_steps_of(const Problem& problem, const Path& path) {
     ASSERT_TRUE(std::ranges::equal(path.state(0), problem.start));
     ASSERT_TRUE(std::ranges::equal(path.state(path.size() - 1), problem.goal));
     for (std::size_t i = 1; i < path.size(); ++i)
-        ASSERT_LE(farthest(path.state(i - 1), path.state(i)), problem.requirements.max_step)
+        ASSERT_LE(farthest_move(path.state(i - 1), path.state(i)), problem.requirements.max_step)
             << "step " << i;
-    expect_valid(problem, path, {.continuous = true});
+    test::expect_valid(validate(problem, {path, cost(path)}, {.continuous = true}));
 }
 
 /// The integral of the fastest ASV's speed along the rows, by chords.
 double fastest_way(const Chain& chain, const Configurations& rows) {
-    return testing::along(chain, rows, 200, farthest);
+    return test::along(chain, rows, 200, farthest_move);
 }
 
 TEST(PrimitiveSteps, AStraightWayTakesNoStepTooMany) {
     for (const std::size_t n : {1U, 3U, 7U}) {
         const Points start = ring(n, {0.2, 0.2}, 0);
-        const Problem problem = testing::problem(start, moved(start, 0.3, 0.4));
+        const Problem problem = test::problem(start, moved(start, 0.3, 0.4));
         const ChainWorld world(problem, Anchor::centroid);
         Configurations rows(world.start);
         rows.insert(rows.end(), world.goal.begin(), world.goal.end());
@@ -76,7 +67,7 @@ TEST(PrimitiveSteps, AWayPointFartherOffThanBothOfItsNeighboursIsNoLongerStep) {
     const Point before{0.5, 0.5}, out{0.501, 0.5003}, after{0.5, 0.5006};
     for (int i = 0; i < 100; ++i) {
         const Point start{0.35 + 1e-5 * i, 0.5}, goal{0.35, 0.5006};
-        Problem problem = testing::problem({start}, {goal});
+        Problem problem = test::problem({start}, {goal});
         problem.obstacles = {{{0.3, 0.50027}, {0.50085, 0.50033}}};
         expect_steps_of(problem, steps_of(problem, {start.x, start.y, before.x, before.y, out.x,
                                                     out.y, after.x, after.y, goal.x, goal.y}));
@@ -87,15 +78,11 @@ TEST(PrimitiveSteps, AWayPointFartherOffThanBothOfItsNeighboursIsNoLongerStep) {
 /// A path by slides among boxes, and the problem that asks for it.
 struct SlidePath {
     SlidePath(Rng& rng, std::size_t n) {
-        problem = testing::problem(ring(n, {0.2, 0.2}, 1), ring(n, {0.8, 0.8}, 2));
-        problem.obstacles = testing::clutter(rng, 25, 0.08, problem);
-        const ChainWorld world(problem, Anchor::centroid);
-        MotionChecker checker = world.make_checker();
-        SlideSteering steering(checker, world.metric, {});
-        rows = world.start;
-        testing::wander(checker, steering, rng, 3, rows);
-        const std::size_t d = world.chain.dimension();
-        problem.goal = testing::positions_of(world.chain, nth(rows, d, rows.size() / d - 1));
+        problem = test::cluttered(rng, n, 25, 0.08);
+        const test::Wanderer made(rng, problem, 3);
+        rows = made.path;
+        const std::size_t d = made.world.chain.dimension();
+        problem.goal = test::positions_of(made.world.chain, nth(rows, d, rows.size() / d - 1));
     }
     Problem problem;
     Configurations rows;
@@ -105,7 +92,7 @@ struct SlidePath {
 Path round_a_corner(bool with_box) {
     constexpr double gap = 1.5e-5;
     const Point start{0.35, 0.5 + gap}, corner{0.5 + gap, 0.5 + gap}, goal{0.5 + gap, 0.25};
-    Problem problem = testing::problem({start}, {goal});
+    Problem problem = test::problem({start}, {goal});
     if (with_box) problem.obstacles = {{{0.2, 0.1}, {0.5, 0.5}}};
     const Path path = steps_of(problem, {start.x, start.y, corner.x, corner.y, goal.x, goal.y});
     expect_steps_of(problem, path);
@@ -157,13 +144,13 @@ TEST(PrimitiveSteps, BeginAndEndExactlyWhereAFileSays) {
         ASSERT_TRUE(std::ranges::equal(path.state(0), made.problem.start));
         ASSERT_TRUE(std::ranges::equal(path.state(path.size() - 1), made.problem.goal));
         for (std::size_t i = 1; i < path.size(); ++i)
-            ASSERT_LE(farthest(path.state(i - 1), path.state(i)), 0.001);
-        expect_valid(made.problem, path, {});
+            ASSERT_LE(farthest_move(path.state(i - 1), path.state(i)), 0.001);
+        test::expect_valid(validate(made.problem, {path, cost(path)}));
     });
 }
 
 TEST(PrimitiveSteps, APathOfOneStateIsOneStep) {
-    const Problem problem = testing::problem(ring(3, {0.5, 0.5}, 0), ring(3, {0.5, 0.5}, 0));
+    const Problem problem = test::problem(ring(3, {0.5, 0.5}, 0), ring(3, {0.5, 0.5}, 0));
     const ChainWorld world(problem, Anchor::centroid);
     const Path path = steps_of(problem, world.start);
     EXPECT_LE(path.size(), 2U);

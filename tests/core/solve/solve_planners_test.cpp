@@ -1,16 +1,17 @@
 #include <string>
 #include <utility>
 
-#include "tests/kit/solve_support.hpp"
+#include "tests/kit/problems.hpp"
+#include "tests/kit/solving.hpp"
 
 /// Every planner, sampler and extension by its name, through solve().
 
 namespace asv::core {
 namespace {
 
-using testing::expect_solved;
-using testing::plain;
-using testing::testcase;
+using test::expect_solved;
+using test::plain;
+using test::testcase;
 
 TEST(SolvePlanners, RrtConnectSolvesTheLighterOnes) {
     for (const char* file : {"3ASV.txt", "3ASV-x4.txt", "7ASV-x6.txt"}) {

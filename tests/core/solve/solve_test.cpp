@@ -7,17 +7,19 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "tests/kit/solve_support.hpp"
+#include "tests/kit/problems.hpp"
+#include "tests/kit/scaled.hpp"
+#include "tests/kit/solving.hpp"
 
 namespace asv::core {
 namespace {
 
-using testing::expect_solved;
-using testing::plain;
-using testing::Points;
-using testing::ring;
-using testing::scaled;
-using testing::testcase;
+using test::expect_solved;
+using test::plain;
+using test::Points;
+using test::ring;
+using test::scaled;
+using test::testcase;
 
 struct EachTestcase : ::testing::TestWithParam<const char*> {};
 
@@ -68,7 +70,7 @@ const Image images[] = {
 Problem image_of(Problem problem, const Image& image) {
     for (Points* points : {&problem.start, &problem.goal}) {
         for (Point& p : *points) p = image.map(p);
-        if (image.other_way) *points = testing::reversed(*points);
+        if (image.other_way) *points = test::reversed(*points);
     }
     if (image.swapped) std::swap(problem.start, problem.goal);
     for (Box& box : problem.obstacles)
@@ -202,7 +204,7 @@ TEST(Solve, ThreadsRaceToOneValidPath) {
 }
 
 TEST(Solve, OneAsvIsAPoint) {
-    Problem problem = testing::problem({{0.1, 0.5}}, {{0.9, 0.5}});
+    Problem problem = test::problem({{0.1, 0.5}}, {{0.9, 0.5}});
     problem.obstacles = {{{0.3, 0}, {0.35, 0.9}}, {{0.6, 0.1}, {0.65, 1}}};
     for (const char* planner : {"auto", "rrt-connect"}) {
         SolveOptions options = plain(1);
@@ -214,7 +216,7 @@ TEST(Solve, OneAsvIsAPoint) {
 }
 
 TEST(Solve, StartThatIsTheGoal) {
-    Problem problem = testing::problem(ring(5, {0.5, 0.5}, 0), ring(5, {0.5, 0.5}, 0));
+    Problem problem = test::problem(ring(5, {0.5, 0.5}, 0), ring(5, {0.5, 0.5}, 0));
     const SolveResult result = solve(problem, plain(1));
     expect_solved(problem, result);
     EXPECT_LE(result.solution->cost, 1e-9);
@@ -264,7 +266,7 @@ TEST(Solve, ProgressIsToldAndChangesNothing) {
 }
 
 TEST(Solve, RefusesEndsThatAreNotValid) {
-    Problem problem = testing::problem(ring(5, {0.3, 0.3}, 0), ring(5, {0.7, 0.7}, 0));
+    Problem problem = test::problem(ring(5, {0.3, 0.3}, 0), ring(5, {0.7, 0.7}, 0));
     problem.goal[2].x += 0.01;
     ASSERT_FALSE(invalid_ends(problem).empty());
     for (const InvalidEnd& end : invalid_ends(problem)) EXPECT_TRUE(end.goal);
@@ -277,7 +279,7 @@ TEST(Solve, RefusesEndsThatAreNotValid) {
 }
 
 TEST(Solve, InvalidEndsSayWhatIsWrongAndWhere) {
-    Problem problem = testing::problem(ring(5, {0.3, 0.3}, 0), ring(5, {0.7, 0.7}, 0));
+    Problem problem = test::problem(ring(5, {0.3, 0.3}, 0), ring(5, {0.7, 0.7}, 0));
     EXPECT_TRUE(invalid_ends(problem).empty());
     problem.obstacles = {{{0.1, 0.1}, {0.2, 0.2}}, {{0.28, 0.1}, {0.32, 0.9}}};
     const auto found = invalid_ends(problem);

@@ -4,14 +4,15 @@
 #include <thread>
 
 #include "core/solve/solve.hpp"
-#include "tests/kit/solve_support.hpp"
+#include "tests/kit/problems.hpp"
+#include "tests/kit/solving.hpp"
 
 namespace asv::core {
 namespace {
 
-using testing::expect_solved;
-using testing::plain;
-using testing::testcase;
+using test::expect_solved;
+using test::plain;
+using test::testcase;
 
 SolveOptions on_four_threads(std::uint64_t seed) {
     SolveOptions options = plain(seed);

@@ -5,19 +5,22 @@
 #include <numbers>
 
 #include "core/search/trees/two_trees.hpp"
-#include "tests/kit/oracle.hpp"
+#include "tests/kit/configuration_oracle.hpp"
+#include "tests/kit/problems.hpp"
+#include "tests/kit/scaled.hpp"
+#include "tests/kit/seeds.hpp"
 
 namespace asv::core {
 namespace {
 
-using testing::arc;
-using testing::for_seeds;
-using testing::moved;
-using testing::nth;
-using testing::Oracle;
-using testing::Points;
-using testing::ring;
-using testing::Row;
+using test::arc;
+using test::for_seeds;
+using test::moved;
+using test::nth;
+using test::Oracle;
+using test::Points;
+using test::ring;
+using test::Row;
 
 constexpr std::size_t never = 1'000'000;
 
@@ -32,8 +35,8 @@ LadderOptions plain() {
 struct UnderACeiling {
     explicit UnderACeiling(double turn)
         : shape(arc(3, {0.3, 0.5}, 0, turn)),
-          world(testing::problem(shape, moved(shape, 0.3, -0.2),
-                                 {{{-1, shape[2].y + 1e-4}, {2, shape[2].y + 0.1}}}),
+          world(test::problem(shape, moved(shape, 0.3, -0.2),
+                              {{{-1, shape[2].y + 1e-4}, {2, shape[2].y + 0.1}}}),
                 Anchor::first_asv) {}
 
     Steered steer(const LadderOptions& options, const Row& target) {
@@ -87,11 +90,11 @@ TEST(LadderSpace, SteersStraightWhereNothingIsInTheWay) {
 }
 
 TEST(LadderSpace, EveryMotionIsValid) {
-    for_seeds(testing::scaled(60), [](Rng& rng) {
+    for_seeds(test::scaled(60), [](Rng& rng) {
         const std::size_t sizes[] = {1, 3, 5, 7};
         const std::size_t n = sizes[rng.below(4)];
-        Problem problem = testing::problem(ring(n, {0.2, 0.2}, 1), ring(n, {0.8, 0.8}, 2));
-        problem.obstacles = testing::clutter(rng, 25, 0.08, problem);
+        Problem problem = test::problem(ring(n, {0.2, 0.2}, 1), ring(n, {0.8, 0.8}, 2));
+        problem.obstacles = test::clutter(rng, 25, 0.08, problem);
         const ChainWorld world(problem, Anchor::first_asv);
         LadderSpace space(world, {});
         Row target(world.goal);
@@ -111,7 +114,7 @@ TEST(LadderSpace, EveryMotionIsValid) {
 TEST(LadderSpace, CorridorSamplesHaveTheirEndInAGap) {
     const Box lower{{0.3, 0.1}, {0.7, 0.45}}, upper{{0.3, 0.55}, {0.7, 0.9}};
     const Problem problem =
-        testing::problem(ring(3, {0.15, 0.5}, 0), ring(3, {0.85, 0.5}, 0), {lower, upper});
+        test::problem(ring(3, {0.15, 0.5}, 0), ring(3, {0.85, 0.5}, 0), {lower, upper});
     const ChainWorld world(problem, Anchor::first_asv);
     const Box gap = geometry::grown({{0.3, 0.45}, {0.7, 0.55}}, 1e-9);
     for (const bool from_last : {false, true}) {
@@ -125,7 +128,7 @@ TEST(LadderSpace, CorridorSamplesHaveTheirEndInAGap) {
         for_seeds(300, [&](Rng& rng) {
             Row row(4);
             if (!space.sample(rng, row)) return;
-            const Points points = testing::positions_of(world.chain, row);
+            const Points points = test::positions_of(world.chain, row);
             const Point& end = from_last ? points.back() : points.front();
             const bool below = end.y<0.1, above = end.y> 0.9;
             ASSERT_TRUE(geometry::contains(gap, end) || below || above) << end.x << ' ' << end.y;
@@ -140,8 +143,8 @@ TEST(LadderSpace, CorridorSamplesHaveTheirEndInAGap) {
 std::size_t sharp_samples(const LadderOptions& options) {
     const Points shape = arc(5, {0.3, 0.3}, 0, 0.6);
     Rng rng(1);
-    Problem problem = testing::problem(shape, moved(shape, 0.3, 0.3));
-    problem.obstacles = testing::clutter(rng, 30, 0.05, problem);
+    Problem problem = test::problem(shape, moved(shape, 0.3, 0.3));
+    problem.obstacles = test::clutter(rng, 30, 0.05, problem);
     const ChainWorld world(problem, Anchor::first_asv);
     LadderSpace space(world, options);
     std::size_t sharp = 0;

@@ -2,21 +2,23 @@
 
 #include <cmath>
 
-#include "tests/kit/support.hpp"
+#include "tests/kit/configurations.hpp"
+#include "tests/kit/problems.hpp"
+#include "tests/kit/seeds.hpp"
 
 namespace asv::core {
 namespace {
 
-using testing::Points;
-using testing::ring;
-using testing::Row;
+using test::Points;
+using test::ring;
+using test::Row;
 
 double off(Point a, Point b) {
     return std::hypot(a.x - b.x, a.y - b.y);
 }
 
 TEST(SlideSpace, TheGuideIsTheShortestWayOfTheAsvInTheMiddle) {
-    Problem problem = testing::problem(ring(5, {0.2, 0.2}, 0), ring(5, {0.8, 0.2}, 0));
+    Problem problem = test::problem(ring(5, {0.2, 0.2}, 0), ring(5, {0.8, 0.2}, 0));
     problem.obstacles = {{{0.45, 0}, {0.55, 0.6}}};
     const ChainWorld world(problem, Anchor::centroid);
     const auto stops = SlideSpace(world, {}).guide();
@@ -34,20 +36,20 @@ TEST(SlideSpace, TheGuideIsTheShortestWayOfTheAsvInTheMiddle) {
 
 TEST(SlideSpace, AnAsvThatEndsWhereItStartsHasAGuideAllTheSame) {
     Points start = ring(5, {0.5, 0.5}, 0), goal = ring(5, {0.5, 0.5}, 2);
-    goal = testing::moved(goal, start[2].x - goal[2].x, start[2].y - goal[2].y);
+    goal = test::moved(goal, start[2].x - goal[2].x, start[2].y - goal[2].y);
     goal[2] = start[2];
-    const ChainWorld world(testing::problem(start, goal), Anchor::centroid);
+    const ChainWorld world(test::problem(start, goal), Anchor::centroid);
     const auto stops = SlideSpace(world, {}).guide();
     ASSERT_FALSE(stops.empty());
     for (const Point& stop : stops) EXPECT_EQ(stop, world.problem.start[2]);
 }
 
 TEST(SlideSpace, SamplesNearAPointAreValidAndNear) {
-    const Problem problem = testing::problem(ring(5, {0.2, 0.2}, 0), ring(5, {0.8, 0.2}, 0));
+    const Problem problem = test::problem(ring(5, {0.2, 0.2}, 0), ring(5, {0.8, 0.2}, 0));
     const ChainWorld world(problem, Anchor::centroid);
     SlideSpace space(world, {});
     std::size_t found = 0;
-    testing::for_seeds(100, [&](Rng& rng) {
+    test::for_seeds(100, [&](Rng& rng) {
         Row row(world.chain.dimension());
         if (!space.sample_near(rng, {0.5, 0.6}, row)) return;
         ++found;

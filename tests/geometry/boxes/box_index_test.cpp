@@ -6,12 +6,15 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/kit/geometry/adversarial.hpp"
-#include "tests/kit/geometry/each_target.hpp"
+#include "tests/kit/geometry/adversary.hpp"
+#include "tests/kit/geometry/simd_targets.hpp"
 
 namespace asv::geometry {
 namespace {
 
+using test::Adversary;
+using test::ForcedTarget;
+using test::simd_targets;
 using Indices = std::vector<std::uint32_t>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -9,9 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "core/chain/batch/chain_batch.hpp"
-#include "tests/benchmark/worlds.hpp"
-#include "tests/kit/geometry/adversarial.hpp"
-#include "tests/kit/geometry/each_target.hpp"
+#include "tests/kit/batch/batch_worlds.hpp"
+#include "tests/kit/geometry/adversary.hpp"
+#include "tests/kit/geometry/simd_targets.hpp"
+#include "tests/kit/scaled.hpp"
 
 namespace asv::geometry {
 namespace {
@@ -24,6 +25,9 @@ using detail::DustLine;
 using geometry::simd::LaneMask;
 using geometry::simd::lanes;
 using geometry::simd::Pack;
+using test::Adversary;
+using test::ForcedTarget;
+using test::simd_targets;
 
 constexpr std::size_t many = 40'000;
 
@@ -110,10 +114,10 @@ TEST(DustGrid, HoldsEachSmallBoxInItsCellAndTheOthersInATree) {
 
 TEST(DustGrid, LeavesToTheTreeWhatIsNoDust) {
     Adversary draw(2);
-    benchmark_worlds::Random random(2);
+    test::Random random(2);
     EXPECT_TRUE(build_dust_grid({}).empty());
-    EXPECT_TRUE(build_dust_grid(benchmark_worlds::dust(1000, random)).empty()) << "few boxes";
-    EXPECT_TRUE(build_dust_grid(benchmark_worlds::grid_map(many, random)).empty()) << "crowded";
+    EXPECT_TRUE(build_dust_grid(test::dust(1000, random)).empty()) << "few boxes";
+    EXPECT_TRUE(build_dust_grid(test::grid_map(many, random)).empty()) << "crowded";
     std::vector<Box> boxes = specks(draw);
     for (Box& box : boxes) box.high = {box.low.x + 0.02, box.high.y};
     EXPECT_TRUE(build_dust_grid(boxes).empty()) << "long boxes";
@@ -171,7 +175,7 @@ void expect_same_as_index(const std::vector<Box>& boxes, const Point& low, Adver
     for (const double length : {0.0, 0.001, 0.02, 0.3, 3.0}) {
         const ChainLimits limits = single_broom(length, low);
         ChainBatch batch(1, limits, index);
-        for (std::size_t i = 0; i < test_count(300); ++i) {
+        for (std::size_t i = 0; i < test::scaled(300); ++i) {
             const std::vector<Pack> rows = brooms(boxes, low, length, draw);
             for (const std::int64_t target : simd_targets()) {
                 const ForcedTarget forced(target);
@@ -223,7 +227,7 @@ TEST(DustGrid, NoStretchIsCertifiedThroughABox) {
     for (const double motion : {1e-4, 1e-2, 1.0}) {
         const ChainLimits limits = single_broom(0.02, {0, 0});
         ChainBatch batch(1, limits, index);
-        for (std::size_t i = 0; i < test_count(300); ++i) {
+        for (std::size_t i = 0; i < test::scaled(300); ++i) {
             std::vector<double> from{draw.uniform(0, 1), draw.uniform(0, 1), draw.uniform(-3, 3)};
             std::vector<double> step;
             for (int k = 0; k < 3; ++k) step.push_back(draw.uniform(-motion, motion));
@@ -248,7 +252,7 @@ TEST(DustGrid, NoStretchIsCertifiedThroughABox) {
             }
         }
     }
-    EXPECT_GT(certified_count, 3 * lanes * test_count(300) / 4);
+    EXPECT_GT(certified_count, 3 * lanes * test::scaled(300) / 4);
 }
 
 }  // namespace

@@ -1,17 +1,17 @@
 #include "geometry/boxes/grid_cover.hpp"
 
-#include <random>
-
 #include <gtest/gtest.h>
+
+#include "tests/kit/random.hpp"
 
 namespace asv::geometry {
 namespace {
 
-Grid random_grid(std::mt19937_64& random) {
-    Grid grid{1 + random() % 12, 1 + random() % 12};
-    const auto density = random() % 11;
+Grid random_grid(test::Random& random) {
+    Grid grid{1 + random.below(12), 1 + random.below(12)};
+    const auto density = random.below(11);
     for (std::size_t i = 0; i < grid.width * grid.height; ++i)
-        grid.cells.push_back(random() % 10 < density);
+        grid.cells.push_back(random.below(10) < density);
     return grid;
 }
 
@@ -28,7 +28,7 @@ bool together(const std::vector<CellRectangle>& cover, std::size_t x, std::size_
 
 TEST(GridCover, IsExactlyTheOccupiedCellsAndKeepsNeighboursTogether) {
     for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
-        std::mt19937_64 random(seed);
+        test::Random random(seed);
         const Grid grid = random_grid(random);
         const auto rectangles = cover(grid);
         for (std::size_t y = 0; y < grid.height; ++y) {

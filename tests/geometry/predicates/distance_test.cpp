@@ -6,11 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "geometry/predicates/segment_box.hpp"
-#include "tests/kit/geometry/adversarial.hpp"
+#include "tests/kit/geometry/adversary.hpp"
 #include "tests/kit/geometry/exact_oracle.hpp"
+#include "tests/kit/scaled.hpp"
 
 namespace asv::geometry {
 namespace {
+
+using test::Adversary;
 
 constexpr Box unit{{0, 0}, {1, 1}};
 
@@ -39,9 +42,9 @@ TEST(Distance, SegmentToBox) {
 TEST(Distance, ZeroExactlyWhenTheyMeet) {
     constexpr std::uint64_t seed = 11;
     Adversary draw(seed);
-    for (std::size_t i = 0; i < test_count(300'000); ++i) {
+    for (std::size_t i = 0; i < test::scaled(300'000); ++i) {
         const auto [segment, box] = draw.pair();
-        ASSERT_EQ(distance(segment, box) == 0, oracle::meets(segment, box))
+        ASSERT_EQ(distance(segment, box) == 0, test::exact_meets(segment, box))
             << "seed " << seed << ", case " << i;
         ASSERT_EQ(distance(segment.a, box) == 0, contains(box, segment.a))
             << "seed " << seed << ", case " << i;
@@ -51,11 +54,11 @@ TEST(Distance, ZeroExactlyWhenTheyMeet) {
 TEST(Distance, KeepsTheStatedError) {
     constexpr std::uint64_t seed = 12;
     Adversary draw(seed);
-    for (std::size_t i = 0; i < test_count(50'000); ++i) {
+    for (std::size_t i = 0; i < test::scaled(50'000); ++i) {
         const auto [segment, box] = draw.pair();
         const double size = largest_difference(segment, box);
         if (size < 1e-150 || size > 1e150) continue;
-        ASSERT_NEAR(distance(segment, box), std::sqrt(oracle::squared_distance(segment, box)),
+        ASSERT_NEAR(distance(segment, box), std::sqrt(test::exact_squared_distance(segment, box)),
                     4e-15 * size)
             << "seed " << seed << ", case " << i;
     }

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/kit/geometry/adversarial.hpp"
+#include "tests/kit/geometry/adversary.hpp"
 #include "tests/kit/geometry/exact_oracle.hpp"
+#include "tests/kit/scaled.hpp"
 
 namespace asv::geometry {
 namespace {
+
+using test::Adversary;
 
 TEST(Orientation, KnownTriangles) {
     EXPECT_EQ(orientation({0, 0}, {1, 0}, {0, 1}), 1);
@@ -25,10 +28,10 @@ TEST(Orientation, AgreesWithRationalArithmetic) {
     constexpr std::uint64_t seed = 20240601;
     Adversary draw(seed);
     std::size_t degenerate = 0;
-    const std::size_t count = test_count(1'000'000);
+    const std::size_t count = test::scaled(1'000'000);
     for (std::size_t i = 0; i < count; ++i) {
         const auto [a, b, c] = draw.triple();
-        const int expected = oracle::orientation(a, b, c);
+        const int expected = test::exact_orientation(a, b, c);
         if (expected == 0) ++degenerate;
         ASSERT_EQ(orientation(a, b, c), expected) << "seed " << seed << ", case " << i;
         ASSERT_EQ(orientation(b, c, a), expected) << "seed " << seed << ", case " << i;

@@ -7,11 +7,13 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/kit/geometry/adversarial.hpp"
+#include "tests/kit/geometry/adversary.hpp"
+#include "tests/kit/scaled.hpp"
 
 namespace asv::geometry {
 namespace {
 
+using test::Adversary;
 using Polygon = std::vector<Point>;
 
 /// n points round the unit circle, winding the given number of times.
@@ -77,7 +79,7 @@ TEST(ConvexOrientation, ReversalsAndDegenerateInput) {
 TEST(ConvexOrientation, StraightVerticesChangeNothing) {
     constexpr std::uint64_t seed = 5;
     Adversary draw(seed);
-    for (std::size_t i = 0; i < test_count(20'000); ++i) {
+    for (std::size_t i = 0; i < test::scaled(20'000); ++i) {
         Polygon polygon;
         for (int k = 3 + draw.pick(3); k > 0; --k) {
             polygon.push_back({draw.pick(8) * 0.25, draw.pick(8) * 0.25});

@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/kit/geometry/adversarial.hpp"
+#include "tests/kit/geometry/adversary.hpp"
 #include "tests/kit/geometry/exact_oracle.hpp"
+#include "tests/kit/scaled.hpp"
 
 namespace asv::geometry {
 namespace {
+
+using test::Adversary;
 
 constexpr Box unit{{0, 0}, {1, 1}};
 
@@ -35,10 +38,10 @@ TEST(SegmentBox, AgreesWithExactKernel) {
     constexpr std::uint64_t seed = 7;
     Adversary draw(seed);
     std::size_t meeting = 0;
-    const std::size_t count = test_count(1'000'000);
+    const std::size_t count = test::scaled(1'000'000);
     for (std::size_t i = 0; i < count; ++i) {
         const auto [segment, box] = draw.pair();
-        const bool expected = oracle::meets(segment, box);
+        const bool expected = test::exact_meets(segment, box);
         if (expected) ++meeting;
         ASSERT_EQ(meets(segment, box), expected) << "seed " << seed << ", case " << i;
         ASSERT_EQ(meets({segment.b, segment.a}, box), expected)

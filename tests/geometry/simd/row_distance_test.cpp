@@ -6,13 +6,16 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/kit/geometry/adversarial.hpp"
-#include "tests/kit/geometry/each_target.hpp"
+#include "tests/kit/geometry/adversary.hpp"
+#include "tests/kit/geometry/simd_targets.hpp"
 
 namespace asv::geometry {
 namespace {
 
 using geometry::simd::block_rows;
+using test::Adversary;
+using test::ForcedTarget;
+using test::simd_targets;
 
 TEST(RowDistance, TheStatedOperationsWithTheSameBitsOnEveryTarget) {
     Adversary draw(5);

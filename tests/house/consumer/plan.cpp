@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "asv/core/solve/solve.hpp"
-#include "asv/core/validate/validate.hpp"
+#include "asv/core/validation/validate.hpp"
 
 int main() {
     // Three ASVs in a right angle, to be moved past a box.

@@ -10,7 +10,7 @@
 
 #include "io/benchmark/sqlite.hpp"
 #include "io/text/atomic_file.hpp"
-#include "tests/kit/sample_report.hpp"
+#include "tests/kit/benchmark_report_sample.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 namespace asv::io {

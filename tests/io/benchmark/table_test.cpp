@@ -3,21 +3,19 @@
 #include <gtest/gtest.h>
 
 #include "io/benchmark/report.hpp"
-#include "tests/kit/sample_report.hpp"
+#include "tests/kit/benchmark_report_sample.hpp"
+#include "tests/kit/text.hpp"
 
 namespace asv::io {
 namespace {
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 TEST(Table, HasASectionForEachProblemAndDirection) {
     const std::string table = markdown_table(test::sample_report());
     for (const char* heading : {"### first, forward\n", "### first, reversed\n",
                                 "### second, it, forward\n", "### second, it, reversed\n"})
-        EXPECT_TRUE(has(table, heading)) << table;
-    EXPECT_TRUE(has(table, "3 ASVs, 1 obstacle; no path costs less than 2.000.\n")) << table;
+        EXPECT_TRUE(test::contains(table, heading)) << table;
+    EXPECT_TRUE(test::contains(table, "3 ASVs, 1 obstacle; no path costs less than 2.000.\n"))
+        << table;
 }
 
 TEST(Table, TellsTheSessionAndItsUnit) {
@@ -27,20 +25,24 @@ TEST(Table, TellsTheSessionAndItsUnit) {
                           "processors). Seeds 3 to 4, time limit 10 s, optimize 0 s, 1 "
                           "thread.\n"))
         << table;
-    EXPECT_TRUE(has(table,
-                    "1 u is the time of 10^6 scalar state checks of 7 ASVs in this session: "
-                    "250.0 ms (125.0 before the runs, 375.0 after them)"))
+    EXPECT_TRUE(
+        test::contains(table,
+                       "1 u is the time of 10^6 scalar state checks of 7 ASVs in this session: "
+                       "250.0 ms (125.0 before the runs, 375.0 after them)"))
         << table;
 }
 
 TEST(Table, RowsHoldTheFiguresOfHand) {
     const std::string table = markdown_table(test::sample_report());
     // 1/64 s and 3/64 s: the deviation of the sample is sqrt(2)/64 s; the unit is 250 ms.
-    EXPECT_TRUE(has(table,
-                    "| auto | 2 of 2 | 31.25 | 46.88 | 31.25 | 22.10 | 0.1250 | 0.1875 | "
-                    "0.1250 | 30 | 400 | 3.000 | 2.500 | 1.250 |\n"))
+    EXPECT_TRUE(
+        test::contains(table,
+                       "| auto | 2 of 2 | 31.25 | 46.88 | 31.25 | 22.10 | 0.1250 | 0.1875 | "
+                       "0.1250 | 30 | 400 | 3.000 | 2.500 | 1.250 |\n"))
         << table;
-    EXPECT_TRUE(has(table, "| swaps\\|1 | 1 of 2 | 62.50 | 62.50 | 62.50 | 0 | 0.2500 |")) << table;
+    EXPECT_TRUE(
+        test::contains(table, "| swaps\\|1 | 1 of 2 | 62.50 | 62.50 | 62.50 | 0 | 0.2500 |"))
+        << table;
 }
 
 TEST(Table, ListsTheSeedsThatWereNotSolved) {
@@ -54,8 +56,9 @@ TEST(Table, ListsTheSeedsThatWereNotSolved) {
 TEST(Table, NoneSolvedHasNoFigures) {
     BenchmarkReport report = test::sample_report();
     for (core::BenchmarkRun& run : report.runs) run.status = core::SolveStatus::timeout;
-    EXPECT_TRUE(has(markdown_table(report),
-                    "| auto | 0 of 2 | - | - | - | - | - | - | - | - | - | - | - | - |\n"))
+    EXPECT_TRUE(
+        test::contains(markdown_table(report),
+                       "| auto | 0 of 2 | - | - | - | - | - | - | - | - | - | - | - | - |\n"))
         << markdown_table(report);
 }
 
@@ -64,10 +67,10 @@ TEST(Table, OnePlannerHasProblemsAsRows) {
     report.plan.planners.resize(1);
     std::erase_if(report.runs, [](const core::BenchmarkRun& run) { return run.place.planner > 0; });
     const std::string table = markdown_table(report);
-    EXPECT_TRUE(has(table, "### auto, forward\n\n| problem | solved |")) << table;
-    EXPECT_TRUE(has(table, "\n| first | 2 of 2 |")) << table;
-    EXPECT_TRUE(has(table, "\n| second, it | 2 of 2 |")) << table;
-    EXPECT_FALSE(has(table, "Not solved"));
+    EXPECT_TRUE(test::contains(table, "### auto, forward\n\n| problem | solved |")) << table;
+    EXPECT_TRUE(test::contains(table, "\n| first | 2 of 2 |")) << table;
+    EXPECT_TRUE(test::contains(table, "\n| second, it | 2 of 2 |")) << table;
+    EXPECT_FALSE(test::contains(table, "Not solved"));
 }
 
 TEST(Table, SaysWhatSpoilsIt) {
@@ -75,8 +78,8 @@ TEST(Table, SaysWhatSpoilsIt) {
     report.plan.jobs = 3;
     report.runs.pop_back();
     const std::string table = markdown_table(report);
-    EXPECT_TRUE(has(table, "3 runs side by side: their times are spoilt.")) << table;
-    EXPECT_TRUE(has(table, "Interrupted: 15 of 16 runs.")) << table;
+    EXPECT_TRUE(test::contains(table, "3 runs side by side: their times are spoilt.")) << table;
+    EXPECT_TRUE(test::contains(table, "Interrupted: 15 of 16 runs.")) << table;
 }
 
 TEST(ShortNumber, HasFourDigitsAndNoExponent) {

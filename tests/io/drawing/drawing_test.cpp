@@ -11,6 +11,7 @@
 
 #include "io/drawing/paint/page.hpp"
 #include "tests/kit/drawing_samples.hpp"
+#include "tests/kit/text.hpp"
 
 namespace asv::io {
 namespace {
@@ -18,16 +19,7 @@ namespace {
 using test::Box;
 using test::Point;
 using test::sample;
-
-const std::vector<Box> two_walls{{{0.4, 0}, {0.5, 0.2}}, {{0.4, 0.45}, {0.5, 1}}};
-
-std::size_t count(const std::string& text, const std::string& part) {
-    std::size_t found = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-        ++found;
-    }
-    return found;
-}
+using test::two_walls;
 
 TEST(Page, HasOneScaleWhateverIsAboveAndBelow) {
     const Box unit{{0, 0}, {1, 1}};
@@ -45,7 +37,7 @@ TEST(Page, HasOneScaleWhateverIsAboveAndBelow) {
 }
 
 TEST(Picture, IsTheFileThatItsNameSays) {
-    const Exhibit exhibit = make_exhibit(sample(5, {{0.1, 0.3}, {0.7, 0.3}}, two_walls));
+    const Exhibit exhibit = make_exhibit(sample(5, {{0.1, 0.3}, {0.7, 0.3}}, two_walls()));
     EXPECT_TRUE(draw_picture(exhibit, PictureFormat::svg, Theme::light).starts_with("<?xml"));
     EXPECT_TRUE(draw_picture(exhibit, PictureFormat::pdf, Theme::light).starts_with("%PDF"));
     const std::string png = draw_picture(exhibit, PictureFormat::png, Theme::dark);
@@ -76,7 +68,7 @@ std::string svg_colour(const Colour& colour) {
 
 TEST(Picture, SvgHasTheObstaclesTheWaysAndTheMark) {
     for (const Theme theme : {Theme::light, Theme::dark}) {
-        const Exhibit exhibit = make_exhibit(sample(5, {{0.1, 0.3}, {0.7, 0.3}}, two_walls));
+        const Exhibit exhibit = make_exhibit(sample(5, {{0.1, 0.3}, {0.7, 0.3}}, two_walls()));
         const std::string svg = draw_picture(exhibit, PictureFormat::svg, theme);
         const Palette& colours = palette(theme);
         std::smatch match;
@@ -86,10 +78,10 @@ TEST(Picture, SvgHasTheObstaclesTheWaysAndTheMark) {
             std::regex_replace(svg_colour(colours.obstacle), std::regex("([().])"), "\\$1") +
             ";[^>]* d=\"([^\"]*)\"");
         ASSERT_TRUE(std::regex_search(svg, match, obstacles));
-        EXPECT_EQ(count(match[1], "Z"), two_walls.size());
-        EXPECT_GE(count(svg, "stroke:" + svg_colour(colours.least)), 2U)
+        EXPECT_EQ(test::count(match[1], "Z"), two_walls().size());
+        EXPECT_GE(test::count(svg, "stroke:" + svg_colour(colours.least)), 2U)
             << "in the field and below it";
-        EXPECT_EQ(count(svg, "stroke:" + svg_colour(colours.violation)), 0U);
+        EXPECT_EQ(test::count(svg, "stroke:" + svg_colour(colours.violation)), 0U);
         EXPECT_NE(svg.find("<title>sample</title>"), std::string::npos);
         EXPECT_NE(svg.find("role=\"img\""), std::string::npos);
         EXPECT_NE(svg.find("width=\"880px\""), std::string::npos);

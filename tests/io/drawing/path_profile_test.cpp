@@ -3,43 +3,39 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include <gtest/gtest.h>
 
 #include "geometry/predicates/distance.hpp"
 #include "io/drawing/drawing.hpp"
 #include "tests/kit/drawing_samples.hpp"
+#include "tests/kit/geometry/random_boxes.hpp"
 
 namespace asv::io {
 namespace {
 
 using geometry::Segment;
-using test::arc;
 using test::Box;
 using test::Point;
 using test::sample;
+using test::wide_arc;
 
 TEST(PathProfile, AgreesWithBruteForceOnRandomPaths) {
     for (unsigned seed = 1; seed <= 30; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        std::mt19937 random(seed);
-        std::uniform_real_distribution<double> in_square(0, 1);
+        test::Random random(seed);
+        const auto in_square = [&] { return random.uniform(0, 1); };
         core::Problem problem;
-        for (int i = 0; i < 60; ++i) {
-            const Point low{in_square(random), in_square(random)};
-            problem.obstacles.push_back(
-                {low, {low.x + 0.1 * in_square(random), low.y + 0.1 * in_square(random)}});
-        }
+        problem.obstacles = test::random_boxes(random, 60, 0.1);
         // Steps of all sizes, so that some stay within reach of the last full look and some do not.
         core::Path path(4);
-        std::vector<Point> state = arc(4, {0.5, 0.5});
+        std::vector<Point> state = wide_arc(4, {0.5, 0.5});
         for (int i = 0; i < 80; ++i) {
             path.push_back(state);
-            const double size = std::pow(10, -3 * in_square(random));
+            const double size = std::pow(10, -3 * in_square());
             for (Point& point : state) {
-                point.x += size * (in_square(random) - 0.5) / 4;
-                point.y += size * (in_square(random) - 0.5) / 4;
+                point.x += size * (in_square() - 0.5) / 4;
+                point.y += size * (in_square() - 0.5) / 4;
             }
         }
         const std::vector<StateMeasures> measures = measure(problem, path);
@@ -61,10 +57,10 @@ TEST(PathProfile, AgreesWithBruteForceOnRandomPaths) {
 }
 
 TEST(PathProfile, TheShortestLinkIsAsLongAsTheDistance) {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> in_square(0, 1);
+    test::Random random(7);
+    const auto in_square = [&] { return random.uniform(0, 1); };
     for (int i = 0; i < 20000; ++i) {
-        const auto point = [&] { return Point{in_square(random), in_square(random)}; };
+        const auto point = [&] { return Point{in_square(), in_square()}; };
         const Segment segment{point(), point()};
         const Point a = point();
         const Point b = point();

@@ -1,11 +1,11 @@
+#include "io/drawing/scene.hpp"
+
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "geometry/predicates/distance.hpp"
-#include "io/drawing/scene/scene_outline.hpp"
+#include "io/text/atomic_file.hpp"
 #include "tests/kit/drawing_samples.hpp"
 
 namespace asv::io {
@@ -15,8 +15,7 @@ using geometry::Segment;
 using test::Box;
 using test::Point;
 using test::sample;
-
-const std::vector<Box> two_walls{{{0.4, 0}, {0.5, 0.2}}, {{0.4, 0.45}, {0.5, 1}}};
+using test::two_walls;
 
 std::vector<const SceneLine*> lines_of(const Scene& scene, Role role) {
     std::vector<const SceneLine*> lines;
@@ -33,17 +32,16 @@ TEST(Scene, IsTheGoldenOneForASmallProblem) {
                     3,
                     {{"start", {{0.1, 0.3}, {0.2, 0.4}}, {-1, 0}}, {"goal", {{0.5, 0.3}}, {-1}}},
                     {}};
-    std::ifstream file(std::string(ASV_SOURCE_DIR) + "/tests/io/drawing/golden/scene.txt");
-    std::stringstream golden;
-    golden << file.rdbuf();
-    EXPECT_EQ(outline(make_scene(make_exhibit(std::move(input)))), golden.str());
+    const std::string golden =
+        read_file(std::string(ASV_SOURCE_DIR) + "/tests/io/drawing/golden/scene.txt");
+    EXPECT_EQ(outline(make_scene(make_exhibit(std::move(input)))), golden);
 }
 
 TEST(Scene, ShowsWhatIsThereWithoutASolution) {
-    ExhibitInput input = sample(3, {{0.1, 0.3}, {0.2, 0.3}}, two_walls);
+    ExhibitInput input = sample(3, {{0.1, 0.3}, {0.2, 0.3}}, two_walls());
     input.solution.reset();
     const Scene scene = make_scene(make_exhibit(std::move(input)));
-    EXPECT_EQ(scene.obstacles, two_walls);
+    EXPECT_EQ(scene.obstacles, two_walls());
     EXPECT_EQ(lines_of(scene, Role::start).size(), 1U);
     EXPECT_EQ(lines_of(scene, Role::goal).size(), 1U);
     EXPECT_EQ(scene.lines.size(), 4U) << "the two chains and their closing sides";
@@ -103,7 +101,7 @@ TEST(Scene, EveryPathOfAnAsvLeadsFromItsStartToItsGoal) {
 
 TEST(Scene, MarksTheTightStretch) {
     // The lowest broom slides along the lower wall's top at 0.001, from 0.4 to 0.5.
-    const Exhibit exhibit = make_exhibit(sample(3, {{0.1, 0.201}, {0.7, 0.201}}, two_walls));
+    const Exhibit exhibit = make_exhibit(sample(3, {{0.1, 0.201}, {0.7, 0.201}}, two_walls()));
     const Scene scene = make_scene(exhibit);
     ASSERT_TRUE(scene.least);
     EXPECT_NEAR(scene.least->clearance, 0.001, 1e-12);
@@ -117,7 +115,7 @@ TEST(Scene, MarksTheTightStretch) {
 }
 
 TEST(Scene, MarksTheWorstOfEachViolationThatTheValidatorFinds) {
-    ExhibitInput input = sample(3, {{0.1, 0.15}, {0.7, 0.15}}, two_walls);
+    ExhibitInput input = sample(3, {{0.1, 0.15}, {0.7, 0.15}}, two_walls());
     const Exhibit exhibit = make_exhibit(std::move(input));
     ASSERT_FALSE(exhibit.report.valid());
     const Scene scene = make_scene(exhibit);
@@ -128,7 +126,7 @@ TEST(Scene, MarksTheWorstOfEachViolationThatTheValidatorFinds) {
         return check.check == core::Check::collisions;
     });
     EXPECT_EQ(scene.violations[0].state, collisions->worst->state);
-    EXPECT_EQ(geometry::distance(scene.violations[0].at, two_walls[0]), 0);
+    EXPECT_EQ(geometry::distance(scene.violations[0].at, two_walls()[0]), 0);
     EXPECT_EQ(lines_of(scene, Role::violation).size(), 1U);
     EXPECT_EQ(exhibit.violations.size(), collisions->failures);
 }

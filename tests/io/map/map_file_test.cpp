@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "io/text/parse_error.hpp"
+#include "tests/kit/error_message.hpp"
 
 namespace asv::io {
 namespace {
@@ -22,12 +23,7 @@ std::string picture(const Grid& grid) {
 }
 
 std::string message(const std::string& content) {
-    try {
-        parse_map(content, "map");
-    } catch (const ParseError& error) {
-        return error.what();
-    }
-    return "";
+    return test::error_message<ParseError>([&] { parse_map(content, "map"); });
 }
 
 TEST(MapFile, ReadsAPgmAsTextWithComments) {

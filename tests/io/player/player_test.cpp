@@ -2,20 +2,12 @@
 
 #include <bit>
 #include <cmath>
-#include <fstream>
-#include <random>
-#include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "io/player/gallery.hpp"
 #include "io/player/packing.hpp"
-#include "io/problem/problem_file.hpp"
-#include "io/solution/solution_file.hpp"
-#include "io/text/parse_error.hpp"
 #include "tests/kit/drawing_samples.hpp"
-#include "tests/kit/temporary_folder.hpp"
 
 namespace asv::io {
 namespace {
@@ -25,59 +17,10 @@ using test::Box;
 using test::Point;
 using test::sample;
 
-TEST(Packing, Base64HasTheVectorsOfRfc4648) {
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("f"), "Zg==");
-    EXPECT_EQ(base64("fo"), "Zm8=");
-    EXPECT_EQ(base64("foo"), "Zm9v");
-    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(base64(std::string("\xFB\xFF\xFE\x00", 4)), "+//+AA==");
-}
-
-TEST(Packing, ATableComesBackToHalfAUnit) {
-    for (unsigned seed = 1; seed <= 20; ++seed) {
-        std::mt19937 random(seed);
-        std::normal_distribution<double> normal;
-        const double size = std::pow(10, 8 * normal(random));
-        const std::size_t columns = 1 + seed % 5;
-        std::vector<double> numbers(columns * (seed % 7) * 11);
-        for (double& number : numbers) number = size * normal(random);
-        const PackedTable table = pack_table(numbers, columns);
-        const auto back = unpack_table(table, numbers.size() / columns, columns);
-        double greatest = 1;
-        for (const double number : numbers) greatest = std::max(greatest, std::abs(number));
-        EXPECT_NEAR(table.unit, 1e-10 * greatest, 1e-22 * greatest);
-        ASSERT_EQ(back.size(), numbers.size());
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            ASSERT_NEAR(back[i], numbers[i], 0.5000001 * table.unit) << "seed " << seed;
-        }
-    }
-}
-
-TEST(Packing, TakesTheGreatestNumbersThereAre) {
-    const std::vector<double> numbers{1.7e308, -1.7e308, 1.7e308, -1.7e308, 0};
-    const auto back = unpack_table(pack_table(numbers, 1), 5, 1);
-    for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(back[i] / 1.7e308, numbers[i] / 1.7e308, 1e-9);
-}
-
-TEST(Packing, RejectsATextOfAnotherShape) {
-    const PackedTable table = pack_table(std::vector<double>{1, 2, 3, 4}, 2);
-    EXPECT_THROW(unpack_table(table, 3, 2), std::invalid_argument);
-    EXPECT_THROW(unpack_table(table, 1, 2), std::invalid_argument);
-    EXPECT_THROW(unpack_table({1, "!"}, 1, 1), std::invalid_argument);
-}
-
 json data_of(const std::string& page) {
     const std::string mark = "<script id=\"data\" type=\"application/json\">";
     const std::size_t begin = page.find(mark) + mark.size();
     return json::parse(page.substr(begin, page.find("</script>", begin) - begin));
-}
-
-std::string content(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
 }
 
 TEST(Player, CarriesThePathAndTheExactReadOuts) {
@@ -153,54 +96,6 @@ TEST(Player, ShowsTreesAndProblemsAlone) {
     EXPECT_EQ(data["trees"][0]["kind"], "roadmap");
     const std::vector<std::int32_t> edge{0, 1};
     EXPECT_EQ(data["trees"][0]["edges"], pack_integers(edge));
-}
-
-class Gallery : public ::testing::Test {
-  protected:
-    void SetUp() override {
-        std::filesystem::create_directory(folder_ / "cases");
-        const ExhibitInput input = sample(3, {{0.1, 0.3}, {0.2, 0.3}}, {{{0.4, 0}, {0.5, 0.2}}});
-        write_problem(folder_ / "cases/b.txt", input.problem);
-        write_solution(folder_ / "cases/b.solution.txt", *input.solution);
-        write_problem(folder_ / "cases/a&a.txt", input.problem);
-        std::ofstream(folder_ / "cases/c.txt") << "nonsense\n";
-    }
-    test::TemporaryFolder folder_;
-};
-
-TEST_F(Gallery, FindsProblemsWithTheirSolutions) {
-    const std::vector<std::filesystem::path> cases{folder_ / "cases", folder_ / "cases/b.txt"};
-    const auto found = find_exhibits(cases, std::nullopt);
-    ASSERT_EQ(found.size(), 4U);
-    EXPECT_EQ(found[0].problem.filename(), "a&a.txt");
-    EXPECT_FALSE(found[0].solution);
-    EXPECT_EQ(found[1].solution->filename(), "b.solution.txt");
-    const std::vector<std::filesystem::path> missing{folder_ / "missing"};
-    EXPECT_THROW(find_exhibits(missing, std::nullopt), ReadError);
-}
-
-TEST_F(Gallery, WritesPicturesPlayersAndAnIndexOfAll) {
-    const std::vector<std::filesystem::path> cases{folder_ / "cases", folder_ / "cases/b.txt"};
-    const GalleryReport report = write_gallery(folder_ / "out", find_exhibits(cases, std::nullopt));
-    EXPECT_EQ(report.shown, 3U);
-    ASSERT_EQ(report.failures.size(), 1U);
-    EXPECT_EQ(report.failures[0].name, "c");
-    for (const char* name : {"a&a", "b", "b-2"}) {
-        for (const char* ending : {".light.svg", ".dark.svg", ".html"}) {
-            EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / (std::string(name) + ending)))
-                << name << ending;
-        }
-    }
-    const std::string index = content(folder_ / "out/index.html");
-    EXPECT_NE(index.find("href=\"a%26a.html\""), std::string::npos);
-    EXPECT_NE(index.find(">a&amp;a</a>"), std::string::npos);
-    EXPECT_NE(index.find("c.txt:1:1: expected"), std::string::npos);
-    EXPECT_EQ(index.find(folder_.path().string()), std::string::npos) << "no folder names";
-}
-
-TEST_F(Gallery, AFolderThatCannotBeMadeIsAWriteError) {
-    const std::vector<ExhibitFiles> none;
-    EXPECT_THROW(write_gallery(folder_ / "cases/b.txt/out", none), WriteError);
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -14,42 +12,38 @@
 #include "io/text/atomic_file.hpp"
 #include "io/text/parse_error.hpp"
 #include "tests/kit/random_files.hpp"
+#include "tests/kit/scaled.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 namespace asv::io {
 namespace {
 
-int scaled(int count) {
-    const char* scale = std::getenv("ASV_TEST_SCALE");
-    return scale == nullptr ? count : static_cast<int>(count * std::atof(scale));
-}
-
 /// The text with one to five places broken as a bad disk, an editor or an enemy would.
-std::string mutated(std::string text, std::mt19937_64& random) {
+std::string mutated(std::string text, test::Random& random) {
     static constexpr std::array<std::string_view, 14> words = {
         "nan", "-inf",   "1e999",      "-1", "18446744073709551615", "0x1f", "\n\n",
         " ",   "1e-999", "1000000000", "\r", "\xEF\xBB\xBF",         ",",    "0"};
-    for (std::size_t i = 1 + random() % 5; i > 0 && !text.empty(); --i) {
-        const std::size_t place = random() % text.size();
-        const std::size_t length = 1 + random() % 20;
-        switch (random() % 6) {
+    for (std::size_t i = 1 + random.below(5); i > 0 && !text.empty(); --i) {
+        const std::size_t place = random.below(text.size());
+        const std::size_t length = 1 + random.below(20);
+        switch (random.below(6)) {
             case 0:
-                text[place] = static_cast<char>(random());
+                text[place] = static_cast<char>(random.bits());
                 break;
             case 1:
                 text.erase(place, length);
                 break;
             case 2:
-                text.insert(place, text.substr(random() % text.size(), length));
+                text.insert(place, text.substr(random.below(text.size()), length));
                 break;
             case 3:
-                text.insert(place, words[random() % words.size()]);
+                text.insert(place, words[random.below(words.size())]);
                 break;
             case 4:
                 text.resize(place);
                 break;
             default:
-                text.insert(place, 1, static_cast<char>(random()));
+                text.insert(place, 1, static_cast<char>(random.bits()));
                 break;
         }
     }
@@ -67,10 +61,10 @@ bool all_finite(std::span<const geometry::Point> points) {
 template <typename Check>
 void try_variants_of(const std::filesystem::path& file, std::uint64_t seed, const Check& check) {
     const std::string original = read_file(file);
-    int understood = 0;
-    const int tries = scaled(20'000);
-    std::mt19937_64 random(seed);
-    for (int i = 0; i < tries; ++i) {
+    std::size_t understood = 0;
+    const std::size_t tries = test::scaled(20'000);
+    test::Random random(seed);
+    for (std::size_t i = 0; i < tries; ++i) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", variant " + std::to_string(i));
         const std::string text = mutated(original, random);
         try {
@@ -84,14 +78,14 @@ void try_variants_of(const std::filesystem::path& file, std::uint64_t seed, cons
             ASSERT_LE(error.column(), text.size() + 1);
         }
     }
-    EXPECT_GT(understood, 0);
+    EXPECT_GT(understood, 0U);
     EXPECT_LT(understood, tries);
 }
 
 TEST(Mutation, ABrokenProblemIsUnderstoodOrRefused) {
     const test::TemporaryFolder folder;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        std::mt19937_64 random(seed);
+        test::Random random(seed);
         core::Problem problem = test::random_problem(random);
         problem.obstacles.resize(3);
         write_problem(folder / "p", problem);
@@ -112,7 +106,7 @@ TEST(Mutation, ABrokenProblemIsUnderstoodOrRefused) {
 TEST(Mutation, ABrokenSolutionIsUnderstoodOrRefused) {
     const test::TemporaryFolder folder;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        std::mt19937_64 random(seed);
+        test::Random random(seed);
         write_solution(folder / "s", test::random_solution(random, 3));
         try_variants_of(folder / "s", seed, [](const std::string& text) {
             const core::Solution read = parse_solution(text, 3, "s");

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "io/text/parse_error.hpp"
+#include "tests/kit/error_message.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 namespace asv::io {
@@ -25,12 +26,7 @@ std::vector<std::string> warnings_of(const std::string& text) {
 }
 
 std::string error_of(const std::string& text) {
-    try {
-        parse_problem(text, "p");
-    } catch (const ParseError& error) {
-        return error.what();
-    }
-    return "no error";
+    return test::error_message<ParseError>([&] { parse_problem(text, "p"); });
 }
 
 TEST(ProblemFile, ReadsWhatIsThere) {

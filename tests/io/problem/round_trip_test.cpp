@@ -1,5 +1,3 @@
-#include <random>
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -14,7 +12,7 @@ namespace asv::io {
 namespace {
 
 RC_GTEST_PROP(RoundTrip, ProblemsReadBackToTheSameNumbers, (std::uint64_t seed)) {
-    std::mt19937_64 random(seed);
+    test::Random random(seed);
     const test::TemporaryFolder folder;
     const core::Problem problem = test::random_problem(random);
     write_problem(folder / "p", problem);
@@ -26,9 +24,9 @@ RC_GTEST_PROP(RoundTrip, ProblemsReadBackToTheSameNumbers, (std::uint64_t seed))
 }
 
 RC_GTEST_PROP(RoundTrip, SolutionsReadBackToTheSameNumbers, (std::uint64_t seed)) {
-    std::mt19937_64 random(seed);
+    test::Random random(seed);
     const test::TemporaryFolder folder;
-    const std::size_t asv_count = 1 + random() % 30;
+    const std::size_t asv_count = 1 + random.below(30);
     const core::Solution solution = test::random_solution(random, asv_count);
     write_solution(folder / "s", solution);
     const core::Solution back = read_solution(folder / "s", asv_count);
@@ -37,7 +35,7 @@ RC_GTEST_PROP(RoundTrip, SolutionsReadBackToTheSameNumbers, (std::uint64_t seed)
 }
 
 RC_GTEST_PROP(RoundTrip, WritingTwiceGivesTheSameBytes, (std::uint64_t seed)) {
-    std::mt19937_64 random(seed);
+    test::Random random(seed);
     const test::TemporaryFolder folder;
     const core::Solution solution = test::random_solution(random, 3);
     write_solution(folder / "a", solution);

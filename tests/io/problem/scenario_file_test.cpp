@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "io/text/parse_error.hpp"
+#include "tests/kit/error_message.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 namespace asv::io {
@@ -33,12 +35,7 @@ std::string with(std::string text, const std::string& part, const std::string& o
 }
 
 std::string message(const std::string& text) {
-    try {
-        read(text);
-    } catch (const ParseError& error) {
-        return error.what();
-    }
-    return "";
+    return test::error_message<ParseError>([&] { read(text); });
 }
 
 TEST(Scenario, IsToldByItsFirstCharacter) {
@@ -122,8 +119,9 @@ struct Mistake {
     std::string message;
 };
 
-TEST(Scenario, NamesThePlaceOfEveryMistake) {
-    const Mistake mistakes[] = {
+/// Texts that are no scenario, or lack a member or have one too many.
+std::vector<Mistake> mistakes_of_the_document() {
+    return {
         {"{", "s.json:1:2: expected JSON, found the end of the file"},
         {"[]", "s.json:1:1: expected an object at the document, found []"},
         {with(point, "1,", "2,"), "s.json:1:13: expected the integer 1 at version, found 2"},
@@ -134,6 +132,12 @@ TEST(Scenario, NamesThePlaceOfEveryMistake) {
         {with(point, "\"start\"", "\"stat\": 5, \"start\""),
          "s.json:1:51: expected no other members than version, body, start, goal, bounds, "
          "obstacles, map, step, tolerance at stat, found 5"},
+    };
+}
+
+/// Bodies and ends that are none.
+std::vector<Mistake> mistakes_of_a_point() {
+    return {
         {with(point, "{\"kind\": \"point\"}", "7"),
          "s.json:1:24: expected an object at body, found 7"},
         {with(point, "\"point\"", "\"disc\""),
@@ -144,6 +148,12 @@ TEST(Scenario, NamesThePlaceOfEveryMistake) {
          "s.json:1:68: expected a point [x, y] at goal, found [1,1,1]"},
         {with(point, "[1, 1]", "[1, \"1\"]"),
          "s.json:1:72: expected a number at goal[1], found \"1\""},
+    };
+}
+
+/// Steps, tolerances, bounds, obstacles and maps that are none.
+std::vector<Mistake> mistakes_of_the_surroundings() {
+    return {
         {with(point, "\"start\"", "\"step\": 0, \"start\""),
          "s.json:1:51: expected a number greater than 0 at step, found 0"},
         {with(point, "\"start\"", "\"tolerance\": -1, \"start\""),
@@ -159,6 +169,12 @@ TEST(Scenario, NamesThePlaceOfEveryMistake) {
          "s.json:1:59: expected a string at map.file, found 3"},
         {with(point, "\"start\"", "\"map\": {\"file\": \"x\", \"threshold\": 256}, \"start\""),
          "s.json:1:77: expected a number from 0 to 255 at map.threshold, found 256"},
+    };
+}
+
+/// Links, joints and angles that are none, or do not fit together.
+std::vector<Mistake> mistakes_of_an_arm() {
+    return {
         {with(arm, "[2, 1]", "[]"),
          "s.json:2:51: expected at least one link length at body.links, found []"},
         {with(arm, "[2, 1]", "[2, 0]"),
@@ -178,8 +194,13 @@ TEST(Scenario, NamesThePlaceOfEveryMistake) {
         {with(arm, "\"bounds\"", "\"step\": 1.5, \"bounds\""),
          "s.json:3:10: expected at most the length of the shortest link at step, found 1.5"},
     };
-    for (const Mistake& mistake : mistakes)
-        EXPECT_EQ(message(mistake.text), mistake.message) << mistake.text;
+}
+
+TEST(Scenario, NamesThePlaceOfEveryMistake) {
+    for (const auto& mistakes : {mistakes_of_the_document(), mistakes_of_a_point(),
+                                 mistakes_of_the_surroundings(), mistakes_of_an_arm()})
+        for (const Mistake& mistake : mistakes)
+            EXPECT_EQ(message(mistake.text), mistake.message) << mistake.text;
     const std::string chain =
         R"({"version": 1, "body": {"kind": "chain"}, "start": [[0, 0]], "goal": [[0, 0], [1, 1]]})";
     EXPECT_EQ(message(chain),

@@ -7,18 +7,14 @@
 
 #include "io/text/atomic_file.hpp"
 #include "io/text/parse_error.hpp"
+#include "tests/kit/error_message.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 namespace asv::io {
 namespace {
 
 std::string error_of(const std::string& text, std::size_t asv_count = 2) {
-    try {
-        parse_solution(text, asv_count, "s");
-    } catch (const ParseError& error) {
-        return error.what();
-    }
-    return "no error";
+    return test::error_message<ParseError>([&] { parse_solution(text, asv_count, "s"); });
 }
 
 TEST(SolutionFile, ReadsStepsCostAndStates) {

@@ -1,6 +1,5 @@
 #include "io/solution/trees_file.hpp"
 
-#include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -8,6 +7,7 @@
 #include "io/solution/run_facts.hpp"
 #include "io/text/json_place.hpp"
 #include "io/text/parse_error.hpp"
+#include "tests/kit/error_message.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 namespace asv::io {
@@ -47,12 +47,7 @@ TEST(TreesFile, TakesParentsBehindTheirChildren) {
 }
 
 std::string complaint(const std::string& text) {
-    try {
-        parse_trees(text, "trees.json");
-    } catch (const ParseError& error) {
-        return error.what();
-    }
-    return "none";
+    return test::error_message<ParseError>([&] { parse_trees(text, "trees.json"); });
 }
 
 TEST(TreesFile, NamesThePlaceOfWhatItCannotTake) {

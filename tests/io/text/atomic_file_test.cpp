@@ -13,23 +13,15 @@
 #include <unistd.h>
 
 #include "io/text/parse_error.hpp"
+#include "tests/kit/error_message.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 namespace asv::io {
 namespace {
 
 namespace fs = std::filesystem;
+using test::error_message;
 using test::TemporaryFolder;
-
-template <typename Error>
-std::string message(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
-}
 
 unsigned permissions(const fs::path& file) {
     struct stat status {};
@@ -50,16 +42,16 @@ TEST(AtomicFile, ReadsBackWhatWasWritten) {
 TEST(AtomicFile, SaysWhyAFileCannotBeRead) {
     const TemporaryFolder folder;
     const std::string missing = (folder / "missing").string();
-    EXPECT_EQ(message<ReadError>([&] { read_file(missing); }),
+    EXPECT_EQ(error_message<ReadError>([&] { read_file(missing); }),
               missing + ": No such file or directory");
-    EXPECT_EQ(message<ReadError>([&] { read_file(folder.path()); }),
+    EXPECT_EQ(error_message<ReadError>([&] { read_file(folder.path()); }),
               folder.path().string() + ": Is a directory");
-    EXPECT_EQ(message<ReadError>([&] { read_file(""); }), ": No such file or directory");
+    EXPECT_EQ(error_message<ReadError>([&] { read_file(""); }), ": No such file or directory");
 }
 
 TEST(AtomicFile, RefusesToReadWithoutEnd) {
     if (!fs::exists("/dev/zero")) GTEST_SKIP() << "no /dev/zero";
-    EXPECT_EQ(message<ReadError>([] { read_file("/dev/zero", 1'000'000); }),
+    EXPECT_EQ(error_message<ReadError>([] { read_file("/dev/zero", 1'000'000); }),
               "/dev/zero: File too large");
 }
 
@@ -87,8 +79,8 @@ TEST(AtomicFile, SaysWhyAFileCannotBeWritten) {
     const TemporaryFolder folder;
     const std::string orphan = (folder / "no" / "f").string();
     const auto both = [&](const fs::path& file) {
-        const std::string text = message<WriteError>([&] { write_file(file, "x"); });
-        EXPECT_EQ(message<WriteError>([&] { require_writable(file); }), text);
+        const std::string text = error_message<WriteError>([&] { write_file(file, "x"); });
+        EXPECT_EQ(error_message<WriteError>([&] { require_writable(file); }), text);
         return text;
     };
     EXPECT_EQ(both(orphan), orphan + ": No such file or directory");
@@ -110,7 +102,7 @@ TEST(AtomicFile, AWritableFileIsNotTouchedByTheQuestion) {
 
 TEST(AtomicFile, AFullDeviceIsAnError) {
     if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
-    EXPECT_EQ(message<WriteError>([] { write_file("/dev/full", "x"); }),
+    EXPECT_EQ(error_message<WriteError>([] { write_file("/dev/full", "x"); }),
               "/dev/full: No space left on device");
 }
 
@@ -160,7 +152,7 @@ TEST(AtomicFile, AProtectedFileIsNotReplaced) {
     const TemporaryFolder folder;
     write_file(folder / "f", "x");
     fs::permissions(folder / "f", fs::perms{0444});
-    EXPECT_EQ(message<WriteError>([&] { write_file(folder / "f", "y"); }),
+    EXPECT_EQ(error_message<WriteError>([&] { write_file(folder / "f", "y"); }),
               (folder / "f").string() + ": Permission denied");
     EXPECT_EQ(read_file(folder / "f"), "x");
 }
@@ -187,7 +179,7 @@ TEST(AtomicFile, ALoopOfLinksIsAnError) {
     const TemporaryFolder folder;
     fs::create_symlink("b", folder / "a");
     fs::create_symlink("a", folder / "b");
-    EXPECT_EQ(message<WriteError>([&] { write_file(folder / "a", "x"); }),
+    EXPECT_EQ(error_message<WriteError>([&] { write_file(folder / "a", "x"); }),
               (folder / "a").string() + ": Too many levels of symbolic links");
 }
 

@@ -6,7 +6,11 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 
-namespace asv::geometry::oracle {
+namespace asv::test {
+
+using geometry::Box;
+using geometry::Point;
+using geometry::Segment;
 
 namespace {
 
@@ -20,11 +24,11 @@ typename Kernel::Point_2 to(const Point& p) {
 
 }  // namespace
 
-int orientation(const Point& a, const Point& b, const Point& c) {
+int exact_orientation(const Point& a, const Point& b, const Point& c) {
     return static_cast<int>(CGAL::orientation(to<Rational>(a), to<Rational>(b), to<Rational>(c)));
 }
 
-bool meets(const Segment& segment, const Box& box) {
+bool exact_meets(const Segment& segment, const Box& box) {
     const Filtered::Iso_rectangle_2 rectangle(to<Filtered>(box.low), to<Filtered>(box.high));
     // CGAL divides by the length of the segment.
     if (segment.a == segment.b) return !rectangle.has_on_unbounded_side(to<Filtered>(segment.a));
@@ -32,8 +36,8 @@ bool meets(const Segment& segment, const Box& box) {
                               rectangle);
 }
 
-double squared_distance(const Segment& segment, const Box& box) {
-    if (meets(segment, box)) return 0;
+double exact_squared_distance(const Segment& segment, const Box& box) {
+    if (exact_meets(segment, box)) return 0;
     const auto corner = [](double x, double y) { return to<Rational>(Point{x, y}); };
     const Rational::Point_2 corners[] = {
         corner(box.low.x, box.low.y), corner(box.high.x, box.low.y), corner(box.high.x, box.high.y),
@@ -54,4 +58,4 @@ double squared_distance(const Segment& segment, const Box& box) {
     return CGAL::to_double(nearest);
 }
 
-}  // namespace asv::geometry::oracle
+}  // namespace asv::test

@@ -4,15 +4,15 @@
 
 /// The answers of CGAL's exact kernels, to test ours against.
 
-namespace asv::geometry::oracle {
+namespace asv::test {
 
 /// Sign of the triangle's area in rational arithmetic.
-int orientation(const Point& a, const Point& b, const Point& c);
+int exact_orientation(const geometry::Point& a, const geometry::Point& b, const geometry::Point& c);
 
 /// CGAL::do_intersect on the exact-predicates kernel. Precondition: box is not empty.
-bool meets(const Segment& segment, const Box& box);
+bool exact_meets(const geometry::Segment& segment, const geometry::Box& box);
 
 /// The squared distance in rational arithmetic, rounded once to double at the end.
-double squared_distance(const Segment& segment, const Box& box);
+double exact_squared_distance(const geometry::Segment& segment, const geometry::Box& box);
 
-}  // namespace asv::geometry::oracle
+}  // namespace asv::test

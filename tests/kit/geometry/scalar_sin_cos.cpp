@@ -5,9 +5,11 @@
 
 #include "geometry/simd/sin_cos_constants.hpp"
 
-namespace asv::geometry::simd {
+namespace asv::test {
 
-SinCos sin_cos(double angle) noexcept {
+using namespace geometry::simd;
+
+SinCos scalar_sin_cos(double angle) noexcept {
     const double shifted = angle * two_over_pi + shifter;
     const double turns = shifted - shifter;
     const double r = (angle - turns * half_pi_high) - turns * half_pi_low;
@@ -27,4 +29,4 @@ SinCos sin_cos(double angle) noexcept {
     return {sine_negative ? -sin : sin, cosine_negative ? -cos : cos};
 }
 
-}  // namespace asv::geometry::simd
+}  // namespace asv::test

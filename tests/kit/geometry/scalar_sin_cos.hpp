@@ -1,6 +1,6 @@
 #pragma once
 
-namespace asv::geometry::simd {
+namespace asv::test {
 
 struct SinCos {
     double sin;
@@ -9,6 +9,6 @@ struct SinCos {
 
 /// Sine and cosine of an angle in radians, with an absolute error below 3e-16, for |angle| < 2^20;
 /// the same bits as the SIMD kernels compute, on every processor. Without a branch or a table.
-SinCos sin_cos(double angle) noexcept;
+SinCos scalar_sin_cos(double angle) noexcept;
 
-}  // namespace asv::geometry::simd
+}  // namespace asv::test

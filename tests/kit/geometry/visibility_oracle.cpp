@@ -5,7 +5,10 @@
 #include <limits>
 #include <vector>
 
-namespace asv::geometry::oracle {
+namespace asv::test {
+
+using geometry::Box;
+using geometry::Point;
 
 namespace {
 
@@ -28,17 +31,17 @@ bool crosses_interior(const Point& a, const Point& b, const Box& box) {
 
 }  // namespace
 
-double shortest_path(std::span<const Box> boxes, const Box& bounds, const Point& from,
-                     const Point& to, double closing) {
+double brute_force_shortest_path(std::span<const Box> boxes, const Box& bounds, const Point& from,
+                                 const Point& to, double closing) {
     std::vector<Box> closed;
-    const Box inside = grown(bounds, -closing);
+    const Box inside = geometry::grown(bounds, -closing);
     std::vector<Point> nodes{from, to};
     for (const Box& box : boxes) {
         if (box.low.x >= box.high.x || box.low.y >= box.high.y) continue;
-        const Box& solid = closed.emplace_back(grown(box, closing));
+        const Box& solid = closed.emplace_back(geometry::grown(box, closing));
         for (const double x : {solid.low.x, solid.high.x}) {
             for (const double y : {solid.low.y, solid.high.y}) {
-                if (contains(inside, {x, y})) nodes.push_back({x, y});
+                if (geometry::contains(inside, {x, y})) nodes.push_back({x, y});
             }
         }
     }
@@ -65,4 +68,4 @@ double shortest_path(std::span<const Box> boxes, const Box& bounds, const Point&
     }
 }
 
-}  // namespace asv::geometry::oracle
+}  // namespace asv::test

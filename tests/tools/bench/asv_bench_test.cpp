@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/text/atomic_file.hpp"
+#include "tests/kit/problems.hpp"
 #include "tests/kit/run_program.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
@@ -17,10 +18,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 using nlohmann::json;
-
-std::string testcase(const std::string& name) {
-    return std::string(ASV_SOURCE_DIR) + "/testcases/" + name;
-}
 
 Outcome bench(const Words& problems, const Words& options = {}) {
     Words arguments = problems;
@@ -51,7 +48,8 @@ const Words two_planners{"--planner", "auto", "--planner", "swaps: rrt-connect s
 TEST(BenchProgram, PrintsATableForEachProblemAndDirection) {
     Words options = two_planners;
     options.insert(options.end(), {"--direction", "both"});
-    const Outcome outcome = bench({testcase("3ASV.txt"), testcase("3ASV-x4.txt")}, options);
+    const Outcome outcome =
+        bench({testcase_file("3ASV.txt"), testcase_file("3ASV-x4.txt")}, options);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     for (const char* part : {"### 3ASV, forward\n", "### 3ASV-x4, reversed\n", "| auto | 2 of 2 |",
@@ -60,7 +58,7 @@ TEST(BenchProgram, PrintsATableForEachProblemAndDirection) {
 }
 
 TEST(BenchProgram, SameSeedsSameWork) {
-    const auto all = [] { return runs_of({testcase("3ASV.txt")}, two_planners)["runs"]; };
+    const auto all = [] { return runs_of({testcase_file("3ASV.txt")}, two_planners)["runs"]; };
     const json first = all(), again = all();
     ASSERT_EQ(first.size(), 4U);
     for (std::size_t i = 0; i < first.size(); ++i)
@@ -70,7 +68,7 @@ TEST(BenchProgram, SameSeedsSameWork) {
 /// The planner's settings, the direction and the seed of a run, as asv-solve takes them.
 TEST(BenchProgram, ARunIsThatOfAsvSolve) {
     const TemporaryFolder folder;
-    const json report = runs_of({testcase("3ASV.txt")},
+    const json report = runs_of({testcase_file("3ASV.txt")},
                                 {"--planner", "swaps: rrt-connect swap-limiter=on", "--direction",
                                  "reversed", "--optimize", "0.05", "--first-seed", "4"});
     for (const json& run : report["runs"]) {
@@ -92,7 +90,7 @@ TEST(BenchProgram, ARunIsThatOfAsvSolve) {
 }
 
 TEST(BenchProgram, TakesScenarios) {
-    const json report = runs_of({testcase("bodies/arm-3-workshop.json")},
+    const json report = runs_of({testcase_file("bodies/arm-3-workshop.json")},
                                 {"--planner", "rrt-connect", "--direction", "both"});
     EXPECT_EQ(report["problems"][0]["name"], "arm-3-workshop");
     ASSERT_EQ(report["runs"].size(), 4U);
@@ -103,7 +101,7 @@ TEST(BenchProgram, WritesEveryFileAndNothingElse) {
     const TemporaryFolder folder;
     const auto in = [&](const char* name) { return (folder / name).string(); };
     const Outcome outcome = bench(
-        {testcase("3ASV.txt"), testcase("3ASV-x4.txt")},
+        {testcase_file("3ASV.txt"), testcase_file("3ASV-x4.txt")},
         {"--table", in("b.md"), "--csv", in("b.csv"), "--json", in("b.json"), "--database",
          in("b.db"), "--ompl-log", in("b.log"), "--plot", in("b.svg"), "--plot", in("b.png")});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -116,7 +114,7 @@ TEST(BenchProgram, WritesEveryFileAndNothingElse) {
 
 TEST(BenchProgram, AnUnsolvedRunIsReportedAndNoError) {
     const Outcome outcome =
-        bench({testcase("infeasible/wall-across.txt")}, {"--time-limit", "0.05"});
+        bench({testcase_file("infeasible/wall-across.txt")}, {"--time-limit", "0.05"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("| wall-across | 0 of 2 | - |"), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("- wall-across forward, auto: timeout (no path found"),
@@ -127,10 +125,10 @@ TEST(BenchProgram, AnUnsolvedRunIsReportedAndNoError) {
 
 TEST(BenchProgram, EveryUnusableProblemIsToldBeforeAnythingRuns) {
     const TemporaryFolder folder;
-    const Outcome outcome =
-        bench({testcase("3ASV.txt"), "no-such-file.txt", testcase("invalid/asv-count-zero.txt"),
-               testcase("invalid/start-broom-crosses-obstacle.txt")},
-              {"--csv", (folder / "b.csv").string()});
+    const Outcome outcome = bench(
+        {testcase_file("3ASV.txt"), "no-such-file.txt", testcase_file("invalid/asv-count-zero.txt"),
+         testcase_file("invalid/start-broom-crosses-obstacle.txt")},
+        {"--csv", (folder / "b.csv").string()});
     EXPECT_EQ(outcome.exit_code, 3);
     EXPECT_EQ(outcome.out, "");
     for (const char* part :
@@ -152,9 +150,11 @@ TEST(BenchProgram, WrongUsageNamesWhatThereIs) {
         {{"--seeds", "0"}, "--seeds"},
         {{"--time-limit", "nan"}, "not a finite number"}};
     for (const auto& [options, message] : cases) {
-        Words arguments{testcase("3ASV.txt")};
-        arguments.insert(arguments.end(), options.begin(), options.end());
-        const Outcome outcome = run_program("asv-bench", arguments);
+        const Outcome outcome = run_program("asv-bench", [&] {
+            Words arguments{testcase_file("3ASV.txt")};
+            arguments.insert(arguments.end(), options.begin(), options.end());
+            return arguments;
+        }());
         EXPECT_EQ(outcome.exit_code, 2) << options[1];
         EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
     }
@@ -163,7 +163,8 @@ TEST(BenchProgram, WrongUsageNamesWhatThereIs) {
 TEST(BenchProgram, AnOutputThatCannotBeWrittenIsToldBeforeAnythingRuns) {
     for (const char* option :
          {"--table", "--csv", "--json", "--database", "--ompl-log", "--plot"}) {
-        const Outcome outcome = bench({testcase("3ASV.txt")}, {option, "/no/such/folder/b.svg"});
+        const Outcome outcome =
+            bench({testcase_file("3ASV.txt")}, {option, "/no/such/folder/b.svg"});
         EXPECT_EQ(outcome.exit_code, 5) << option;
         EXPECT_EQ(outcome.out, "");
     }
@@ -172,14 +173,14 @@ TEST(BenchProgram, AnOutputThatCannotBeWrittenIsToldBeforeAnythingRuns) {
 TEST(BenchProgram, ProblemsOfOneNameKeepTheirFolders) {
     const TemporaryFolder folder;
     const std::string copy = (folder / "3ASV.txt").string();
-    std::filesystem::copy_file(testcase("3ASV.txt"), copy);
-    const json report = runs_of({testcase("3ASV.txt"), copy}, {});
+    std::filesystem::copy_file(testcase_file("3ASV.txt"), copy);
+    const json report = runs_of({testcase_file("3ASV.txt"), copy}, {});
     EXPECT_EQ(report["problems"][1]["name"], copy);
     EXPECT_EQ(bench({copy, copy}).exit_code, 2);
 }
 
 TEST(BenchProgram, AllStandsForEveryPlanner) {
-    const json report = runs_of({testcase("3ASV.txt")}, {"--planner", "all"});
+    const json report = runs_of({testcase_file("3ASV.txt")}, {"--planner", "all"});
     EXPECT_EQ(report["planners"].size(), 8U);
     EXPECT_EQ(report["runs"].size(), 16U);
 }

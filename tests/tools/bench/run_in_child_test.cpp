@@ -4,15 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include "io/problem/problem_file.hpp"
+#include "tests/kit/problems.hpp"
 
 namespace asv::tools {
 namespace {
 
 core::BenchmarkPlan plan_of(const std::string& name) {
-    const std::string file = std::string(ASV_SOURCE_DIR) + "/testcases/" + name + ".txt";
+    const std::string file = test::testcase_file(name + ".txt");
     core::BenchmarkPlan plan;
-    plan.problems = {{name, file, io::read_problem(file).problem}};
+    plan.problems = {{name, file, test::testcase(name + ".txt")}};
     plan.planners = {{"auto", core::AutoPlanner{}, {}}};
     plan.optimize = 0.05;
     return plan;

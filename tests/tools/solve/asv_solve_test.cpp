@@ -13,6 +13,7 @@
 #include "io/solution/solution_file.hpp"
 #include "io/solution/trees_file.hpp"
 #include "io/text/atomic_file.hpp"
+#include "tests/kit/problems.hpp"
 #include "tests/kit/run_program.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
@@ -22,10 +23,6 @@ namespace asv::test {
 namespace {
 
 using Words = std::vector<std::string>;
-
-std::string testcase(const std::string& name) {
-    return std::string(ASV_SOURCE_DIR) + "/testcases/" + name + ".txt";
-}
 
 Outcome solve(const std::string& problem, const std::string& solution, const Words& options = {}) {
     Words arguments{problem, solution, "--threads", "1", "--quiet"};
@@ -37,8 +34,7 @@ Outcome solve(const std::string& problem, const std::string& solution, const Wor
 
 Words solvable_testcases() {
     Words names;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(ASV_SOURCE_DIR) + "/testcases"))
+    for (const auto& entry : std::filesystem::directory_iterator(testcase_file("")))
         if (entry.path().extension() == ".txt") names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
     return names;
@@ -57,9 +53,10 @@ TEST_P(EverySolvableTestCase, IsSolvedWithAContinuouslyValidPath) {
     const TemporaryFolder folder;
     const std::string solution = (folder / "s").string();
     for (const std::string seed : {"1", "2", "3"}) {
-        const Outcome outcome = solve(testcase(GetParam()), solution, {"--seed", seed});
+        const Outcome outcome =
+            solve(testcase_file(GetParam() + ".txt"), solution, {"--seed", seed});
         ASSERT_EQ(outcome.exit_code, 0) << "seed " << seed << ": " << outcome.err;
-        const auto problem = io::read_problem(testcase(GetParam())).problem;
+        const auto problem = io::read_problem(testcase_file(GetParam() + ".txt")).problem;
         const auto path = io::read_solution(solution, problem.asv_count());
         EXPECT_TRUE(core::validate(problem, path, {.continuous = true}).valid()) << "seed " << seed;
     }
@@ -74,10 +71,11 @@ class MethodA : public testing::TestWithParam<std::string> {};
 TEST_P(MethodA, SolvesIt) {
     const TemporaryFolder folder;
     const std::string solution = (folder / "s").string();
-    const Outcome outcome = solve(testcase(GetParam()), solution, {"--planner", "rrt-connect"});
+    const Outcome outcome =
+        solve(testcase_file(GetParam() + ".txt"), solution, {"--planner", "rrt-connect"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Outcome verdict =
-        run_program("asv-validate", {testcase(GetParam()), solution, "--continuous"});
+        run_program("asv-validate", {testcase_file(GetParam() + ".txt"), solution, "--continuous"});
     EXPECT_EQ(verdict.exit_code, 0) << verdict.out;
 }
 
@@ -92,10 +90,10 @@ TEST_P(EveryPlanner, SolvesAnEasyOne) {
     const TemporaryFolder folder;
     const std::string solution = (folder / "s").string(), trees = (folder / "t").string();
     const Outcome outcome =
-        solve(testcase("3ASV"), solution, {"--planner", GetParam(), "--trees", trees});
+        solve(testcase_file("3ASV.txt"), solution, {"--planner", GetParam(), "--trees", trees});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Outcome verdict =
-        run_program("asv-validate", {testcase("3ASV"), solution, "--continuous"});
+        run_program("asv-validate", {testcase_file("3ASV.txt"), solution, "--continuous"});
     EXPECT_EQ(verdict.exit_code, 0) << verdict.out;
     const io::SearchTrees drawn = io::read_trees(trees);
     EXPECT_EQ(drawn.planner, GetParam());
@@ -134,8 +132,9 @@ TEST(SolveProgram, SameSeedSameBytesOtherSeedOtherPath) {
     const TemporaryFolder folder;
     const auto bytes = [&](const std::string& seed, const std::string& name) {
         const std::string file = (folder / name).string();
-        EXPECT_EQ(
-            solve(testcase("7ASV-x6"), file, {"--seed", seed, "--optimize", "0.05"}).exit_code, 0);
+        EXPECT_EQ(solve(testcase_file("7ASV-x6.txt"), file, {"--seed", seed, "--optimize", "0.05"})
+                      .exit_code,
+                  0);
         return io::read_file(file);
     };
     const std::string first = bytes("5", "a");
@@ -146,15 +145,16 @@ TEST(SolveProgram, SameSeedSameBytesOtherSeedOtherPath) {
 TEST(SolveProgram, ReversedPlanStillLeadsFromStartToGoal) {
     const TemporaryFolder folder;
     const std::string file = (folder / "s").string();
-    ASSERT_EQ(solve(testcase("3ASV"), file, {"--reverse"}).exit_code, 0);
-    EXPECT_EQ(run_program("asv-validate", {testcase("3ASV"), file}).exit_code, 0);
+    ASSERT_EQ(solve(testcase_file("3ASV.txt"), file, {"--reverse"}).exit_code, 0);
+    EXPECT_EQ(run_program("asv-validate", {testcase_file("3ASV.txt"), file}).exit_code, 0);
 }
 
 TEST(SolveProgram, StatisticsAndTreesAgreeWithTheSolution) {
     const TemporaryFolder folder;
     const std::string file = (folder / "s").string(), stats = (folder / "j").string(),
                       trees = (folder / "t").string();
-    ASSERT_EQ(solve(testcase("3ASV"), file, {"--stats", stats, "--trees", trees}).exit_code, 0);
+    ASSERT_EQ(
+        solve(testcase_file("3ASV.txt"), file, {"--stats", stats, "--trees", trees}).exit_code, 0);
     const auto json = nlohmann::json::parse(io::read_file(stats));
     const auto solution = io::read_solution(file, 3);
     EXPECT_EQ(json["problem"], "3ASV.txt");
@@ -173,8 +173,8 @@ class EveryInfeasibleTestCase : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryInfeasibleTestCase, IsRefusedWithAReasonAndNoFile) {
     const TemporaryFolder folder;
-    const Outcome outcome =
-        run_program("asv-solve", {testcase("infeasible/" + GetParam()), (folder / "s").string()});
+    const Outcome outcome = run_program(
+        "asv-solve", {testcase_file("infeasible/" + GetParam() + ".txt"), (folder / "s").string()});
     EXPECT_EQ(outcome.exit_code, 4);
     EXPECT_NE(outcome.err.find("infeasible"), std::string::npos) << outcome.err;
     EXPECT_EQ(folder.entries(), 0);
@@ -241,16 +241,17 @@ TEST(SolveProgram, ATimeLimitEndsEvenTheReading) {
 TEST(SolveProgram, WrongUsageNamesWhatThereIs) {
     const TemporaryFolder folder;
     const std::string file = (folder / "s").string();
-    const Outcome planner = solve(testcase("3ASV"), file, {"--planner", "magic"});
+    const Outcome planner = solve(testcase_file("3ASV.txt"), file, {"--planner", "magic"});
     EXPECT_EQ(planner.exit_code, 2);
     EXPECT_NE(planner.err.find("rrt-connect"), std::string::npos) << planner.err;
-    const Outcome unknown = solve(testcase("3ASV"), file, {"--set", "magic=1"});
+    const Outcome unknown = solve(testcase_file("3ASV.txt"), file, {"--set", "magic=1"});
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_NE(unknown.err.find("pull-share"), std::string::npos) << unknown.err;
-    const Outcome range = solve(testcase("3ASV"), file, {"--set", "pull-share=2"});
+    const Outcome range = solve(testcase_file("3ASV.txt"), file, {"--set", "pull-share=2"});
     EXPECT_EQ(range.exit_code, 2);
     EXPECT_NE(range.err.find("from 0 to 1"), std::string::npos) << range.err;
-    const Outcome mix = solve(testcase("3ASV"), file, {"--planner", "rrt", "--set", "sampler=mix"});
+    const Outcome mix =
+        solve(testcase_file("3ASV.txt"), file, {"--planner", "rrt", "--set", "sampler=mix"});
     EXPECT_EQ(mix.exit_code, 2);
     EXPECT_NE(mix.err.find("mix-uniform=1"), std::string::npos) << mix.err;
     EXPECT_EQ(folder.entries(), 0);
@@ -259,7 +260,7 @@ TEST(SolveProgram, WrongUsageNamesWhatThereIs) {
 TEST(SolveProgram, InvalidStartIsNamedWithItsLine) {
     const TemporaryFolder folder;
     const Outcome outcome =
-        solve(testcase("invalid/start-broom-crosses-obstacle"), (folder / "s").string());
+        solve(testcase_file("invalid/start-broom-crosses-obstacle.txt"), (folder / "s").string());
     EXPECT_EQ(outcome.exit_code, 3);
     EXPECT_NE(outcome.err.find(".txt:2: start is not valid: broom"), std::string::npos)
         << outcome.err;

@@ -1,6 +1,5 @@
 #include <filesystem>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -9,8 +8,10 @@
 
 #include "io/text/atomic_file.hpp"
 #include "tests/kit/malformed_files.hpp"
+#include "tests/kit/problems.hpp"
 #include "tests/kit/run_program.hpp"
 #include "tests/kit/temporary_folder.hpp"
+#include "tests/kit/text.hpp"
 
 /// What a user of asv-validate sees.
 
@@ -21,13 +22,6 @@ using Words = std::vector<std::string>;
 
 Outcome validate(const Words& arguments, const Surroundings& surroundings = {}) {
     return run_program("asv-validate", arguments, surroundings);
-}
-
-Words lines(const std::string& text) {
-    Words result;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) result.push_back(line);
-    return result;
 }
 
 class ValidateProgram : public testing::Test {
@@ -49,7 +43,7 @@ TEST_F(ValidateProgram, PrintsOneLineForEachCheckInOrder) {
     const Outcome outcome = validate({problem_, solution_});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");
-    const Words printed = lines(outcome.out);
+    const Words printed = lines_of(outcome.out);
     const Words expected = {
         "ends +ok +2 states: room 1e-05 at ASV 1 \\(state 0, line 2\\)",
         "steps +ok +1 step: room 0.00061 at ASV [123] \\(state 1, line 3\\)",
@@ -69,7 +63,7 @@ TEST_F(ValidateProgram, PrintsOneLineForEachCheckInOrder) {
 TEST_F(ValidateProgram, NamesTheWorstOffender) {
     const Outcome outcome = validate({problem_, broken_});
     EXPECT_EQ(outcome.exit_code, 1);
-    const Words printed = lines(outcome.out);
+    const Words printed = lines_of(outcome.out);
     ASSERT_EQ(printed.size(), 9U);
     EXPECT_TRUE(std::regex_match(
         printed[0], std::regex("ends +FAILED  1 of 2 states: ASV 2 misses its place by 9e-05 "
@@ -99,14 +93,14 @@ TEST_F(ValidateProgram, ListsEveryViolationWhenVerbose) {
 TEST_F(ValidateProgram, ChecksStartAndGoalWithoutASolution) {
     const Outcome outcome = validate({problem_});
     EXPECT_EQ(outcome.exit_code, 0);
-    const Words printed = lines(outcome.out);
+    const Words printed = lines_of(outcome.out);
     ASSERT_EQ(printed.size(), 13U);
     EXPECT_EQ(printed[0], "start");
     EXPECT_EQ(printed[6], "goal");
     EXPECT_NE(printed[1].find("(line 2)"), std::string::npos);
     EXPECT_NE(printed[7].find("(line 3)"), std::string::npos);
     EXPECT_EQ(printed.back(), "valid");
-    EXPECT_EQ(validate({ASV_SOURCE_DIR "/testcases/invalid/goal-winds-twice.txt"}).exit_code, 1);
+    EXPECT_EQ(validate({testcase_file("invalid/goal-winds-twice.txt")}).exit_code, 1);
 }
 
 TEST_F(ValidateProgram, IsAsLenientAsItIsTold) {
@@ -123,7 +117,7 @@ TEST_F(ValidateProgram, CertifiesTheMotionOnRequest) {
     EXPECT_EQ(validate({problem, solution_}).exit_code, 0);
     const Outcome outcome = validate({problem, solution_, "--continuous"});
     EXPECT_EQ(outcome.exit_code, 1);
-    const Words printed = lines(outcome.out);
+    const Words printed = lines_of(outcome.out);
     ASSERT_EQ(printed.size(), 14U);
     const Words names = {"broom lengths", "convexity", "area", "bounds", "collisions"};
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -210,7 +204,7 @@ TEST_F(ValidateProgram, JsonMayGoToStandardOutput) {
 
 TEST(ValidateTestcases, StartsAndGoalsOfAllSolvableProblemsAreValid) {
     int files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(ASV_SOURCE_DIR "/testcases")) {
+    for (const auto& entry : std::filesystem::directory_iterator(testcase_file(""))) {
         if (entry.path().extension() != ".txt") continue;
         const Outcome outcome = validate({entry.path().string(), "--tolerance", "1e-9"});
         EXPECT_EQ(outcome.exit_code, 0) << entry.path() << '\n' << outcome.out << outcome.err;

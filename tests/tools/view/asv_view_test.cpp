@@ -9,6 +9,7 @@
 #include "io/problem/problem_file.hpp"
 #include "io/solution/solution_file.hpp"
 #include "io/solution/trees_file.hpp"
+#include "io/text/atomic_file.hpp"
 #include "tests/kit/drawing_samples.hpp"
 #include "tests/kit/run_program.hpp"
 #include "tests/kit/temporary_folder.hpp"
@@ -34,10 +35,7 @@ class ViewProgram : public testing::Test {
         return test::run_program("asv-view", arguments);
     }
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    std::string text(const std::string& name) const {
-        std::ifstream file(folder_ / name, std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
+    std::string text(const std::string& name) const { return io::read_file(folder_ / name); }
 
     test::TemporaryFolder folder_;
 };

@@ -1,55 +1,41 @@
 #include "core/chain/batch/chain_batch.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/benchmark/scalar_chain.hpp"
-#include "tests/benchmark/worlds.hpp"
-#include "tests/kit/geometry/adversarial.hpp"
-#include "tests/kit/geometry/each_target.hpp"
+#include "tests/kit/batch/batch_worlds.hpp"
+#include "tests/kit/batch/hard_chains.hpp"
 #include "tests/kit/geometry/exact_oracle.hpp"
-#include "tests/kit/geometry/scalar_sin_cos.hpp"
+#include "tests/kit/geometry/simd_targets.hpp"
+#include "tests/kit/scaled.hpp"
+
+/// Which chains are valid, eight at a time, on every instruction set.
 
 namespace asv::geometry {
 namespace {
 
-using benchmark_worlds::chain_limits;
-using benchmark_worlds::Random;
 using core::batch::ChainBatch;
 using core::batch::ChainLimits;
 using geometry::simd::LaneMask;
 using geometry::simd::lanes;
 using geometry::simd::Pack;
-using Row = std::vector<double>;
-
-/// Positions by the stated formula, one operation after the other.
-std::vector<Point> positions(const Row& row, const ChainLimits& limits) {
-    std::vector<Point> points{{0, 0}};
-    const std::size_t links = row.size() - 2;
-    for (std::size_t k = 0; k < links && !limits.anchor_lever.empty(); ++k) {
-        const auto [sine, cosine] = geometry::simd::sin_cos(row[2 + k]);
-        const double arm = limits.link * limits.anchor_lever[k];
-        points[0] = {points[0].x + arm * cosine, points[0].y + arm * sine};
-    }
-    points[0] = {row[0] + points[0].x, row[1] + points[0].y};
-    for (std::size_t k = 0; k < links; ++k) {
-        const auto [sine, cosine] = geometry::simd::sin_cos(row[2 + k]);
-        points.push_back({points[k].x + limits.link * cosine, points[k].y + limits.link * sine});
-    }
-    return points;
-}
+using test::Adversary;
+using test::chain_limits;
+using test::ForcedTarget;
+using test::Random;
+using test::simd_targets;
+using Row = test::HeadingRow;
 
 bool valid_by_oracle(const Row& row, const ChainLimits& limits, std::span<const Box> boxes) {
-    const std::vector<Point> points = positions(row, limits);
+    const std::vector<Point> points = test::kernel_positions(row, limits);
     if (!core::reference::shape_valid(row, points, limits)) return false;
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
         for (const Box& box : boxes) {
-            if (!is_empty(box) && oracle::meets({points[k], points[k + 1]}, box)) return false;
+            if (!is_empty(box) && test::exact_meets({points[k], points[k + 1]}, box)) return false;
         }
     }
     return true;
@@ -63,45 +49,6 @@ std::vector<Pack> packed(std::span<const Row> rows) {
     return packs;
 }
 
-/// Squares, long walls, degenerate and empty boxes, and some that touch a link of the chains in a
-/// corner, within an ulp.
-std::vector<Box> hard_boxes(std::size_t count, std::span<const Row> chains,
-                            const ChainLimits& limits, Adversary& draw) {
-    std::vector<Box> boxes;
-    while (boxes.size() < count) {
-        const std::vector<Point> points = positions(
-            chains[static_cast<std::size_t>(draw.pick(static_cast<int>(chains.size())))], limits);
-        const auto k = static_cast<std::size_t>(draw.pick(static_cast<int>(points.size()) - 1));
-        const double t = draw.pick(3) == 0 ? 0 : draw.uniform(0, 1);
-        const Point on_link{points[k].x + t * (points[k + 1].x - points[k].x),
-                            points[k].y + t * (points[k + 1].y - points[k].y)};
-        const Point far{draw.uniform(0, 1), draw.uniform(0, 1)};
-        const Point corner = draw.pick(3) == 0 ? draw.nudged(on_link) : far;
-        const double wide = draw.pick(5) == 0 ? 0 : draw.uniform(0, 0.03);
-        const double high = draw.pick(5) == 0 ? 0 : draw.uniform(0, 0.03);
-        Box box{corner, {corner.x + wide, corner.y + high}};
-        if (draw.pick(2) == 0) box = {{corner.x - wide, corner.y - high}, corner};
-        if (draw.pick(30) == 0) std::swap(box.low, box.high);
-        boxes.push_back(box);
-    }
-    return boxes;
-}
-
-std::vector<Row> random_chains(std::size_t points, std::size_t count, Random& random,
-                               const ChainLimits& limits) {
-    std::vector<Row> chains;
-    std::vector<Point> scratch(points);
-    while (chains.size() < count) {
-        const Row row = benchmark_worlds::random_chain(points, random);
-        core::reference::positions(row, limits.link, scratch);
-        // Every eighth may violate anything, the others collide at most.
-        if (chains.size() % 8 == 0 || core::reference::shape_valid(row, scratch, limits)) {
-            chains.push_back(row);
-        }
-    }
-    return chains;
-}
-
 TEST(ChainBatch, ValidAsByTheOracleWithTheSameBitsOnEveryTarget) {
     constexpr std::uint64_t seed = 41;
     Adversary draw(seed);
@@ -113,8 +60,8 @@ TEST(ChainBatch, ValidAsByTheOracleWithTheSameBitsOnEveryTarget) {
         if (points == 2) limits.min_area = limits.min_closing_side = 0;
         if (points == 2) limits.min_first_closing_turn = limits.min_last_closing_turn = -1e-12;
         for (const std::size_t boxes : {0UL, 1UL, 7UL, 30UL, 100UL, 700UL}) {
-            const auto chains = random_chains(points, 8 * test_count(25), random, limits);
-            const BoxIndex index(hard_boxes(boxes, chains, limits, draw));
+            const auto chains = test::random_chains(points, 8 * test::scaled(25), random, limits);
+            const BoxIndex index(test::hard_boxes(boxes, chains, limits, draw));
             ChainBatch batch(points - 1, limits, index);
             for (std::size_t i = 0; i < chains.size(); i += lanes) {
                 const auto eight = std::span(chains).subspan(i, lanes);
@@ -129,7 +76,7 @@ TEST(ChainBatch, ValidAsByTheOracleWithTheSameBitsOnEveryTarget) {
                         ASSERT_EQ(mask >> lane & 1, expected);
                         valid_count += expected;
                         ++count;
-                        const std::vector<Point> at = positions(eight[lane], limits);
+                        const std::vector<Point> at = test::kernel_positions(eight[lane], limits);
                         for (std::size_t k = 0; k < points; ++k) {
                             ASSERT_EQ(batch.x()[k][lane], at[k].x);
                             ASSERT_EQ(batch.y()[k][lane], at[k].y);
@@ -148,9 +95,9 @@ TEST(ChainBatch, AmongManyBoxesAsByLookingAtAllOfThem) {
     Adversary draw(seed);
     Random random(seed);
     const ChainLimits limits = chain_limits(7);
-    const auto chains = random_chains(7, 8 * test_count(25), random, limits);
-    std::vector<Box> boxes = benchmark_worlds::dust(40'000, random);
-    const std::vector<Box> hard = hard_boxes(20, chains, limits, draw);
+    const auto chains = test::random_chains(7, 8 * test::scaled(25), random, limits);
+    std::vector<Box> boxes = test::dust(40'000, random);
+    const std::vector<Box> hard = test::hard_boxes(20, chains, limits, draw);
     boxes.insert(boxes.end(), hard.begin(), hard.end());
     const BoxIndex index(boxes);
     ChainBatch batch(6, limits, index);
@@ -159,7 +106,7 @@ TEST(ChainBatch, AmongManyBoxesAsByLookingAtAllOfThem) {
         const auto eight = std::span(chains).subspan(i, lanes);
         LaneMask expected = 0;
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const std::vector<Point> at = positions(eight[lane], limits);
+            const std::vector<Point> at = test::kernel_positions(eight[lane], limits);
             const bool valid = core::reference::shape_valid(eight[lane], at, limits) &&
                                !core::reference::meets_any(at, boxes);
             expected |= static_cast<LaneMask>(valid) << lane;
@@ -178,10 +125,10 @@ TEST(ChainBatch, AmongManyBoxesAsByLookingAtAllOfThem) {
 /// One valid chain, and what each limit makes of it when it is drawn a little too tight.
 TEST(ChainBatch, EveryLimitCounts) {
     Random random(2);
-    const auto row = benchmark_worlds::valid_chains(7, 1, {}, random).at(0);
+    const auto row = test::valid_chains(7, 1, {}, random).at(0);
     const std::vector<Row> eight(lanes, row);
     const ChainLimits loose = chain_limits(7);
-    const std::vector<Point> at = positions(row, loose);
+    const std::vector<Point> at = test::kernel_positions(row, loose);
     const BoxIndex none({});
     const auto valid = [&](const ChainLimits& limits) {
         return ChainBatch(6, limits, none).valid(packed(eight)) == geometry::simd::all_lanes;
@@ -227,91 +174,6 @@ TEST(ChainBatch, EveryLimitCounts) {
         EXPECT_FALSE(valid(limits));
         *side = kept;
     }
-}
-
-/// A motion from one chain towards another, long or short.
-struct Motion {
-    Row from, step;
-};
-
-Motion random_motion(std::size_t points, Random& random, const ChainLimits& limits) {
-    const auto ends = random_chains(points, 3, random, limits);
-    Motion motion{ends[1], ends[2]};
-    const double length = std::pow(10, random.uniform(-3, 0));
-    for (std::size_t k = 0; k < motion.step.size(); ++k) {
-        motion.step[k] = length * (motion.step[k] - motion.from[k]);
-    }
-    return motion;
-}
-
-/// Which lanes hold at the moments middle + at * half_length, by the exact state check.
-LaneMask valid_at(ChainBatch& batch, const core::batch::Stretches& stretches, double at) {
-    std::vector<Pack> rows(stretches.from.size());
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const double t = stretches.middle[lane] + at * stretches.half_length[lane];
-            rows[k][lane] = stretches.from[k] + t * stretches.step[k];
-        }
-    }
-    return batch.valid(rows);
-}
-
-struct Tally {
-    std::size_t certified = 0, truly_valid = 0;
-};
-
-/// Cuts the motion into eight stretches, and asks about 201 states of each.
-void expect_sound(ChainBatch& batch, const Motion& motion, Tally& tally) {
-    core::batch::Stretches stretches{motion.from, motion.step, {}, {}};
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        stretches.middle[lane] = (2.0 * static_cast<double>(lane) + 1) / 16;
-        stretches.half_length[lane] = 1 / 16.0;
-    }
-    const auto [certified, midpoint_valid] = batch.certify(stretches);
-    EXPECT_EQ(certified & ~midpoint_valid, 0U);
-    EXPECT_EQ(midpoint_valid, valid_at(batch, stretches, 0));
-    LaneMask valid = geometry::simd::all_lanes;
-    for (int i = -100; i <= 100 && valid != 0; ++i) valid &= valid_at(batch, stretches, i / 100.0);
-    EXPECT_EQ(certified & ~valid, 0U) << "certified, but some state is not valid";
-    tally.certified += static_cast<std::size_t>(std::popcount(certified));
-    tally.truly_valid += static_cast<std::size_t>(std::popcount(valid));
-}
-
-void expect_sound(std::size_t points, std::size_t boxes, bool centred, Tally& tally) {
-    const std::uint64_t seed = 1000 * points + boxes;
-    Random random(seed);
-    Adversary draw(seed);
-    ChainLimits limits = chain_limits(points);
-    const std::vector<Row> chains = random_chains(points, 50, random, limits);
-    const BoxIndex index(hard_boxes(boxes, chains, limits, draw));
-    for (std::size_t k = 0; centred && k + 1 < points; ++k) {
-        limits.anchor_lever.push_back(static_cast<double>(k + 1) / static_cast<double>(points) - 1);
-    }
-    for (const std::int64_t target : simd_targets()) {
-        const ForcedTarget forced(target);
-        ChainBatch batch(points - 1, limits, index);
-        for (std::size_t i = 0; i < test_count(100); ++i) {
-            SCOPED_TRACE(::testing::Message()
-                         << "seed " << seed << ", " << hwy::TargetName(target) << ", motion " << i);
-            expect_sound(batch, random_motion(points, random, limits), tally);
-            if (::testing::Test::HasFailure()) return;
-        }
-    }
-}
-
-TEST(ChainBatch, CertifiesNoStretchWithAnInvalidState) {
-    Tally tally;
-    for (const bool centred : {false, true}) {
-        for (const std::size_t points : {3UL, 7UL, 15UL}) {
-            for (const std::size_t boxes : {0UL, 3UL, 20UL, 200UL}) {
-                expect_sound(points, boxes, centred, tally);
-                if (HasFailure()) return;
-            }
-        }
-    }
-    RecordProperty("certified", static_cast<int>(tally.certified));
-    RecordProperty("valid", static_cast<int>(tally.truly_valid));
-    EXPECT_GT(tally.certified, tally.truly_valid / 2) << "of " << tally.truly_valid;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "tests/kit/geometry/line_check.hpp"
+#include "tests/kit/batch/line_check.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -8,8 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/benchmark/worlds.hpp"
-#include "tests/kit/geometry/adversarial.hpp"
+#include "tests/kit/batch/batch_worlds.hpp"
+#include "tests/kit/geometry/adversary.hpp"
+#include "tests/kit/scaled.hpp"
 
 namespace asv::geometry {
 namespace {
@@ -43,13 +44,13 @@ struct Tally {
 
 void check_lines(std::size_t points, std::size_t box_count, Tally& tally) {
     const std::uint64_t seed = 100 * points + box_count;
-    benchmark_worlds::Random random(seed);
-    const std::vector<Box> boxes = benchmark_worlds::dust(box_count, random);
+    test::Random random(seed);
+    const std::vector<Box> boxes = test::dust(box_count, random);
     const BoxIndex index(boxes);
-    const core::batch::ChainLimits limits = benchmark_worlds::chain_limits(points);
+    const core::batch::ChainLimits limits = test::chain_limits(points);
     core::batch::ChainBatch batch(points - 1, limits, index);
-    core::batch::LineCheck check(batch);
-    const auto chains = benchmark_worlds::valid_chains(points, test_count(400), boxes, random);
+    test::LineCheck check(batch);
+    const auto chains = test::valid_chains(points, test::scaled(400), boxes, random);
     for (std::size_t i = 1; i < chains.size(); ++i) {
         SCOPED_TRACE(::testing::Message() << "seed " << seed << ", line " << i);
         const Row& from = chains[i - 1];
@@ -90,9 +91,9 @@ TEST(LineCheck, ProvesWhatIsValidAndNothingElse) {
 TEST(LineCheck, StopsWhereTheBoxBegins) {
     const std::vector<Box> boxes{{{0.5, 0}, {0.6, 1}}};
     const BoxIndex index(boxes);
-    core::batch::ChainLimits limits = benchmark_worlds::chain_limits(3);
+    core::batch::ChainLimits limits = test::chain_limits(3);
     core::batch::ChainBatch batch(2, limits, index);
-    core::batch::LineCheck check(batch);
+    test::LineCheck check(batch);
     // A right angle that opens to the left, its foremost point at x + 0.05.
     const Row from{0.1, 0.5, 0, 1.5707963267948966};
     const Row step{0.5, 0, 0, 0};
@@ -109,10 +110,9 @@ TEST(LineCheck, SlidesThroughATightCorridor) {
     const double top = 0.5 + 0.05 * std::sin(0.9) + 1e-4;
     const std::vector<Box> boxes{{{0.2, 0}, {0.8, 0.5 - 1e-4}}, {{0.2, top}, {0.8, 1}}};
     const BoxIndex index(boxes);
-    const core::batch::ChainLimits limits = benchmark_worlds::chain_limits(3);
+    const core::batch::ChainLimits limits = test::chain_limits(3);
     core::batch::ChainBatch batch(2, limits, index);
-    EXPECT_TRUE(
-        core::batch::LineCheck(batch).valid(Row{0.05, 0.5, 0, 0.9}, Row{0.8, 0, 0, 0}, 0.1));
+    EXPECT_TRUE(test::LineCheck(batch).valid(Row{0.05, 0.5, 0, 0.9}, Row{0.8, 0, 0, 0}, 0.1));
 }
 
 }  // namespace

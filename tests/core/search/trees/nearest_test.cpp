@@ -6,12 +6,13 @@
 #include <numbers>
 #include <vector>
 
-#include "tests/kit/support.hpp"
+#include "tests/kit/configurations.hpp"
+#include "tests/kit/seeds.hpp"
 
 namespace asv::core {
 namespace {
 
-using testing::Row;
+using test::Row;
 
 struct Scan {
     Row scales;
@@ -52,18 +53,18 @@ void expect_nearest(Rng& rng, std::size_t dimension, WrappingAngles wrapping, st
 }
 
 TEST(NearestNeighbours, AgreeWithBruteForce) {
-    testing::for_seeds(10, [](Rng& rng) {
+    test::for_seeds(10, [](Rng& rng) {
         for (const std::size_t dimension : {1U, 2U, 3U, 8U, 16U, 26U})
             expect_nearest(rng, dimension, WrappingAngles{}, 150);
     });
 }
 
 TEST(NearestNeighbours, AgreeWithBruteForceAmongMany) {
-    testing::for_seeds(2, [](Rng& rng) { expect_nearest(rng, 5, {2, 1}, 1500); });
+    test::for_seeds(2, [](Rng& rng) { expect_nearest(rng, 5, {2, 1}, 1500); });
 }
 
 TEST(NearestNeighbours, AgreeWithBruteForceWhereAnAngleWraps) {
-    testing::for_seeds(10, [](Rng& rng) {
+    test::for_seeds(10, [](Rng& rng) {
         for (const std::size_t dimension : {3U, 4U, 8U, 26U})
             expect_nearest(rng, dimension, {2, dimension > 4 ? 3U : 1U}, 150);
     });
@@ -72,7 +73,7 @@ TEST(NearestNeighbours, AgreeWithBruteForceWhereAnAngleWraps) {
 /// The rows sorted by the distance that the scan finds, which the queries for many have to agree
 /// with up to single precision.
 TEST(NearestNeighbours, ManyAndWithinAgreeWithBruteForce) {
-    testing::for_seeds(50, [](Rng& rng) {
+    test::for_seeds(50, [](Rng& rng) {
         const std::size_t dimension = 3 + rng.below(5), size = 1 + rng.below(1500);
         Scan scan{Row(dimension), {1, rng.below(3)}};
         for (double& scale : scan.scales) scale = rng.uniform(0.1, 1);

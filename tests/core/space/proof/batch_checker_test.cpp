@@ -12,18 +12,21 @@
 #include "core/space/chain_world.hpp"
 #include "core/space/sampling/shape_sampler.hpp"
 #include "core/space/straight_space.hpp"
-#include "tests/kit/geometry/each_target.hpp"
-#include "tests/kit/support.hpp"
+#include "tests/kit/configurations.hpp"
+#include "tests/kit/geometry/simd_targets.hpp"
+#include "tests/kit/problems.hpp"
+#include "tests/kit/scaled.hpp"
+#include "tests/kit/seeds.hpp"
 
 namespace asv::core {
 namespace {
 
-using geometry::ForcedTarget;
-using geometry::simd_targets;
-using testing::between;
-using testing::for_seeds;
-using testing::Row;
-using testing::scaled;
+using test::between;
+using test::for_seeds;
+using test::ForcedTarget;
+using test::Row;
+using test::scaled;
+using test::simd_targets;
 using Verdict = BatchChecker::Verdict;
 
 struct Clutter {
@@ -53,7 +56,7 @@ TEST(BatchChecker, SettlesMotionsAsTheCheckerDoesOnEveryTarget) {
     for_seeds(2, [&](Rng& rng) {
         for (const auto& [asvs, boxes, size] : clutters) {
             SCOPED_TRACE(std::to_string(asvs) + " ASVs, " + std::to_string(boxes) + " boxes");
-            const ChainWorld world(testing::cluttered(rng, asvs, boxes, size), Anchor::centroid);
+            const ChainWorld world(test::cluttered(rng, asvs, boxes, size), Anchor::centroid);
             MotionChecker checker = world.make_checker();
             ShapeSampler sampler(checker);
             BatchChecker batch(world.chain, world.constraints, world.field);
@@ -82,7 +85,7 @@ TEST(BatchChecker, SettlesMotionsAsTheCheckerDoesOnEveryTarget) {
 TEST(BatchChecker, TheSpaceGivesTheCheckersAnswers) {
     for_seeds(2, [&](Rng& rng) {
         for (const auto& [asvs, boxes, size] : clutters) {
-            const ChainWorld world(testing::cluttered(rng, asvs, boxes, size), Anchor::centroid);
+            const ChainWorld world(test::cluttered(rng, asvs, boxes, size), Anchor::centroid);
             MotionChecker checker = world.make_checker();
             ShapeSampler sampler(checker);
             StraightSpace space(world);
@@ -98,7 +101,7 @@ TEST(BatchChecker, TheSpaceGivesTheCheckersAnswers) {
 
 TEST(BatchChecker, OneSeedGivesOnePathAndOneCountOnEveryTarget) {
     Rng rng(1);
-    const Problem problem = testing::cluttered(rng, 5, 60, 0.04);
+    const Problem problem = test::cluttered(rng, 5, 60, 0.04);
     for (const char* name : {"prm-random", "rrt-star"}) {
         SolveOptions options;
         options.planner = planner_named(name);

@@ -5,18 +5,22 @@
 
 #include "core/solve/planning_frame.hpp"
 #include "core/solve/solve.hpp"
+#include "core/space/chain_world.hpp"
 #include "geometry/predicates/polygon.hpp"
-#include "tests/kit/oracle.hpp"
+#include "tests/kit/configurations.hpp"
+#include "tests/kit/problems.hpp"
+#include "tests/kit/scaled.hpp"
+#include "tests/kit/seeds.hpp"
 
 namespace asv::core {
 namespace {
 
-using testing::arc;
-using testing::for_seeds;
-using testing::moved;
-using testing::Points;
-using testing::ring;
-using testing::Row;
+using test::arc;
+using test::for_seeds;
+using test::moved;
+using test::Points;
+using test::ring;
+using test::Row;
 
 TEST(ChainConstraints, MeasuresOfAPose) {
     for_seeds(200, [](Rng& rng) {
@@ -26,7 +30,7 @@ TEST(ChainConstraints, MeasuresOfAPose) {
         for (double& value : row) value = rng.uniform(-1, 1);
         Pose pose = chain.make_pose();
         chain.forward(row, pose);
-        const Points p = testing::positions_of(chain, row);
+        const Points p = test::positions_of(chain, row);
         const double closing = std::hypot(p[0].x - p[n - 1].x, p[0].y - p[n - 1].y);
         const double side = std::atan2(p[0].y - p[n - 1].y, p[0].x - p[n - 1].x);
         EXPECT_NEAR(area(pose), geometry::signed_area(p), 1e-14);
@@ -38,8 +42,8 @@ TEST(ChainConstraints, MeasuresOfAPose) {
 }
 
 TEST(ChainConstraints, EndsWithRoomLeaveTheFullMargins) {
-    const Problem problem = testing::problem(ring(7, {0.3, 0.3}, 0), ring(7, {0.7, 0.7}, 1),
-                                             {{{0.45, 0.45}, {0.5, 0.5}}});
+    const Problem problem =
+        test::problem(ring(7, {0.3, 0.3}, 0), ring(7, {0.7, 0.7}, 1), {{{0.45, 0.45}, {0.5, 0.5}}});
     const Chain chain(7, 0.05, Anchor::centroid);
     const Margins margins;
     const ChainConstraints limits = make_constraints(problem, chain);
@@ -59,7 +63,7 @@ TEST(ChainConstraints, ATightEndLeavesNoMoreMarginThanItHas) {
         const Box below{{0.2, 0.3}, {0.8, 0.5 - gap}};
         const Chain chain(3, 0.05, Anchor::first_asv);
         for (const Problem& problem :
-             {testing::problem(low, high, {below}), testing::problem(high, low, {below})}) {
+             {test::problem(low, high, {below}), test::problem(high, low, {below})}) {
             const ChainConstraints limits = make_constraints(problem, chain);
             EXPECT_NEAR(limits.obstacles.at(0).high.y, 0.5, 2e-11) << gap;
             EXPECT_LT(limits.obstacles.at(0).high.y, 0.5) << gap;
@@ -69,8 +73,8 @@ TEST(ChainConstraints, ATightEndLeavesNoMoreMarginThanItHas) {
 
 TEST(ChainConstraints, ObstaclesThinnerThanTheToleranceVanish) {
     const Problem problem =
-        testing::problem(ring(3, {0.3, 0.3}, 0), ring(3, {0.7, 0.7}, 0),
-                         {{{0.1, 0.5}, {0.9, 0.5 + 1.9e-5}}, {{0.1, 0.5}, {0.9, 0.5 + 2.1e-5}}});
+        test::problem(ring(3, {0.3, 0.3}, 0), ring(3, {0.7, 0.7}, 0),
+                      {{{0.1, 0.5}, {0.9, 0.5 + 1.9e-5}}, {{0.1, 0.5}, {0.9, 0.5 + 2.1e-5}}});
     EXPECT_EQ(make_constraints(problem, {3, 0.05, Anchor::centroid}).boxes.size(), 1U);
 }
 
@@ -102,7 +106,7 @@ Problem tight_problem(Rng& rng) {
         if (n == 6) return triangle(at, quarter);
         return ring(n, at, rng.chance(0.5) ? quarter : rng.uniform(0, 6), rng.uniform(0.8, 1));
     };
-    Problem problem = testing::problem(rounded(shape({0.3, 0.3})), rounded(shape({0.7, 0.7})));
+    Problem problem = test::problem(rounded(shape({0.3, 0.3})), rounded(shape({0.7, 0.7})));
     // Rounding to 6 digits costs up to 5e-6 of the tolerance itself.
     const double deepest = digits < 1e7 ? -4e-6 : -9e-6;
     const double gaps[] = {deepest, -1e-6, -1e-15, 0, 1e-15, 1e-12, 1e-7, 5e-6, 1.1e-5, 1e-3};
@@ -117,7 +121,7 @@ Problem tight_problem(Rng& rng) {
 
 TEST(ChainConstraints, EveryValidEndIsInsideAndCanBeLeft) {
     std::size_t valid = 0;
-    for_seeds(testing::scaled(2000), [&](Rng& rng) {
+    for_seeds(test::scaled(2000), [&](Rng& rng) {
         const Problem problem = tight_problem(rng);
         if (!invalid_ends(problem).empty()) return;
         ++valid;
@@ -140,7 +144,7 @@ TEST(ChainConstraints, EveryValidEndIsInsideAndCanBeLeft) {
         EXPECT_TRUE(checker.valid(world.start, along));
         EXPECT_FALSE(checker.valid(world.start, into));
     });
-    EXPECT_GE(valid, testing::scaled(2000) / 3);
+    EXPECT_GE(valid, test::scaled(2000) / 3);
 }
 
 }  // namespace

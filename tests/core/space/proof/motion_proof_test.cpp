@@ -10,8 +10,11 @@
 #include "core/search/trees/two_trees.hpp"
 #include "core/space/chain_world.hpp"
 #include "core/space/sampling/shape_sampler.hpp"
-#include "tests/kit/geometry/line_check.hpp"
-#include "tests/kit/support.hpp"
+#include "tests/kit/batch/line_check.hpp"
+#include "tests/kit/configurations.hpp"
+#include "tests/kit/problems.hpp"
+#include "tests/kit/scaled.hpp"
+#include "tests/kit/seeds.hpp"
 
 /// Random motions, proven by the checker that asv-solve uses and by the batch kernel, against a
 /// thousand samples for every primitive step. ASV_TEST_SCALE=50 makes 100,000 motions of the two
@@ -20,11 +23,11 @@
 namespace asv::core {
 namespace {
 
-using testing::between;
-using testing::for_seeds;
-using testing::ring;
-using testing::Row;
-using testing::scaled;
+using test::between;
+using test::for_seeds;
+using test::ring;
+using test::Row;
+using test::scaled;
 
 /// More than either side rounds by; far below every margin.
 constexpr double rounding = 1e-12;
@@ -69,7 +72,7 @@ struct Tally {
 class Place {
   public:
     Place(Rng& rng, std::size_t n, std::size_t boxes, double size)
-        : world_(testing::cluttered(rng, n, boxes, size), Anchor::centroid),
+        : world_(test::cluttered(rng, n, boxes, size), Anchor::centroid),
           checker_(world_.make_checker()),
           sampler_(checker_),
           limits_(limits_of(world_, 0)),
@@ -141,7 +144,7 @@ class Place {
     geometry::BoxIndex index_{world_.constraints.obstacles};
     core::batch::ChainLimits limits_, loose_;
     core::batch::ChainBatch kernel_;
-    core::batch::LineCheck line_check_;
+    test::LineCheck line_check_;
     core::batch::ChainBatch samples_;
     std::vector<geometry::simd::Pack> rows_;
 };

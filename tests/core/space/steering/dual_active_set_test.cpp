@@ -3,13 +3,15 @@
 #include <cmath>
 #include <optional>
 
-#include "tests/kit/support.hpp"
+#include "tests/kit/configurations.hpp"
+#include "tests/kit/scaled.hpp"
+#include "tests/kit/seeds.hpp"
 
 namespace asv::core {
 namespace {
 
-using testing::for_seeds;
-using testing::Row;
+using test::for_seeds;
+using test::Row;
 
 struct Constraint {
     Row gradient;
@@ -146,11 +148,11 @@ void expect_optimum(const Program& program) {
 }
 
 TEST(DualActiveSet, AgreesWithBruteForce) {
-    for_seeds(testing::scaled(3000), [](Rng& rng) { expect_optimum(feasible_program(rng)); });
+    for_seeds(test::scaled(3000), [](Rng& rng) { expect_optimum(feasible_program(rng)); });
 }
 
 TEST(DualActiveSet, SpringsAgreeWithBruteForce) {
-    for_seeds(testing::scaled(3000), [](Rng& rng) {
+    for_seeds(test::scaled(3000), [](Rng& rng) {
         Program program = feasible_program(rng);
         for (std::size_t springs = 1 + rng.below(2); springs > 0; --springs)
             program.rows.push_back({random_row(rng, program.wish.size()), rng.normal(),
@@ -160,7 +162,7 @@ TEST(DualActiveSet, SpringsAgreeWithBruteForce) {
 }
 
 TEST(DualActiveSet, BeginsAgainWhereTheLimitsHaveChanged) {
-    for_seeds(testing::scaled(3000), [](Rng& rng) {
+    for_seeds(test::scaled(3000), [](Rng& rng) {
         Program program = feasible_program(rng);
         if (rng.chance(0.5))
             program.rows.push_back({random_row(rng, program.wish.size()), rng.normal(), 0.5});
@@ -190,7 +192,7 @@ TEST(DualActiveSet, TellsWhetherARowPushes) {
 }
 
 TEST(DualActiveSet, ContradictingRowsEndInAFinitePoint) {
-    for_seeds(testing::scaled(2000), [](Rng& rng) {
+    for_seeds(test::scaled(2000), [](Rng& rng) {
         Program program = feasible_program(rng);
         const Row gradient = random_row(rng, program.wish.size());
         Row opposite(gradient);

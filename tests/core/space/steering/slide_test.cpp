@@ -6,18 +6,21 @@
 
 #include "core/search/trees/two_trees.hpp"
 #include "core/space/sampling/shape_sampler.hpp"
-#include "tests/kit/oracle.hpp"
+#include "tests/kit/configuration_oracle.hpp"
+#include "tests/kit/problems.hpp"
+#include "tests/kit/scaled.hpp"
+#include "tests/kit/seeds.hpp"
 
 namespace asv::core {
 namespace {
 
-using testing::for_seeds;
-using testing::nth;
-using testing::Oracle;
-using testing::Points;
-using testing::ring;
-using testing::Row;
-using testing::scaled;
+using test::for_seeds;
+using test::nth;
+using test::Oracle;
+using test::Points;
+using test::ring;
+using test::Row;
+using test::scaled;
 
 struct Slider {
     explicit Slider(const Problem& problem, const SlideOptions& options = {})
@@ -40,7 +43,7 @@ struct Slider {
         return rows.size() / world.chain.dimension();
     }
     Point position(std::span<const double> row, std::size_t asv) const {
-        return testing::positions_of(world.chain, row)[asv];
+        return test::positions_of(world.chain, row)[asv];
     }
 
     ChainWorld world;
@@ -49,23 +52,18 @@ struct Slider {
     Oracle oracle;
 };
 
-Problem cluttered(Rng& rng, std::size_t n) {
-    Problem problem = testing::problem(ring(n, {0.2, 0.2}, 1), ring(n, {0.8, 0.8}, 2));
-    problem.obstacles = testing::clutter(rng, 25, 0.08, problem);
-    return problem;
-}
-
 /// A tower between start and goal, which lies a little higher than its top.
 Problem tower(std::size_t n) {
-    return testing::problem(ring(n, {0.3, 0.5}, 0), ring(n, {0.7, 0.85}, 0),
-                            {{{0.45, 0}, {0.55, 0.7}}});
+    return test::problem(ring(n, {0.3, 0.5}, 0), ring(n, {0.7, 0.85}, 0),
+                         {{{0.45, 0}, {0.55, 0.7}}});
 }
 
 TEST(Slide, EveryMotionIsValidAndComesNearer) {
     std::size_t outcomes[3] = {0, 0, 0};
     for_seeds(scaled(60), [&](Rng& rng) {
         const std::size_t sizes[] = {1, 3, 5, 7, 15};
-        Slider slider(cluttered(rng, sizes[rng.below(5)]));
+        const std::size_t n = sizes[rng.below(5)];
+        Slider slider(test::cluttered(rng, n, 25, 0.08));
         ShapeSampler sampler(slider.checker);
         Row from(slider.world.start), to(slider.world.goal);
         if (!sampler.sample(rng, from) || !sampler.sample(rng, to)) return;
@@ -135,7 +133,7 @@ TEST(Pull, BringsTheEndNearer) {
     for_seeds(scaled(60), [&](Rng& rng) {
         const std::size_t sizes[] = {1, 3, 5, 7, 15};
         const std::size_t n = sizes[rng.below(5)];
-        Slider slider(cluttered(rng, n));
+        Slider slider(test::cluttered(rng, n, 25, 0.08));
         const std::size_t asv = rng.chance(0.5) ? 0 : n - 1;
         const Row& from = slider.world.start;
         const Point target{rng.uniform(), rng.uniform()};
@@ -162,7 +160,7 @@ TEST(Pull, BringsTheEndNearer) {
 }
 
 TEST(Pull, TheRestMovesLittle) {
-    Slider slider(testing::problem(ring(7, {0.3, 0.5}, 0), ring(7, {0.7, 0.5}, 0)));
+    Slider slider(test::problem(ring(7, {0.3, 0.5}, 0), ring(7, {0.7, 0.5}, 0)));
     const Row& from = slider.world.start;
     const Point at = slider.position(from, 0);
     Configurations visited;

@@ -1,0 +1,68 @@
+#include "core/search/slide_and_pull.hpp"
+
+#include <vector>
+
+#include "core/model/problem.hpp"
+#include "tests/kit/seeds.hpp"
+#include "tests/kit/toy_planners.hpp"
+
+namespace asv::core {
+namespace {
+
+using test::goal;
+using test::PointSpace;
+using test::start;
+
+TEST(SlidePull, PullsItsShareOfTheIterations) {
+    for (const double share : {0.0, 0.5, 1.0}) {
+        PointSpace space(test::closed_wall());
+        Limits limits;
+        limits.max_iterations = 1000;
+        Rng rng(1);
+        SlideAndPullOptions options;
+        options.pull_share = share;
+        slide_and_pull(space, {start, goal}, options, limits, rng);
+        // One target in ten lies in the wall and is not pulled to.
+        EXPECT_NEAR(static_cast<double>(space.pulls), 900 * share, 60);
+    }
+}
+
+TEST(SlidePull, TheSmallerTreeGrows) {
+    PointSpace space(test::closed_wall());
+    Limits limits;
+    limits.max_iterations = 500;
+    Rng rng(1);
+    const SearchResult result = slide_and_pull(space, {start, goal}, {}, limits, rng);
+    const auto first = static_cast<double>(result.trees[0].size());
+    EXPECT_NEAR(first / static_cast<double>(result.trees[1].size()), 1, 0.2);
+}
+
+/// From start to goal through the door of the wall.
+std::vector<Point> way_through_the_door() {
+    std::vector<Point> way;
+    Point from{0.1, 0.1};
+    for (const Point corner : {Point{0.45, 0.91}, Point{0.55, 0.91}, Point{0.9, 0.1}})
+        for (int i = 0; i < 20; ++i) {
+            from = {from.x + (corner.x - from.x) / (20 - i),
+                    from.y + (corner.y - from.y) / (20 - i)};
+            way.push_back(from);
+        }
+    return way;
+}
+
+TEST(SlidePull, FindsADoorSoonerAlongAWayThatLeadsThroughIt) {
+    std::size_t with = 0, without = 0;
+    test::for_seeds(20, [&](Rng& rng) {
+        for (const bool guided : {false, true}) {
+            PointSpace space(test::wall_with_door());
+            if (guided) space.way = way_through_the_door();
+            const SearchResult result = slide_and_pull(space, {start, goal}, {}, {}, rng);
+            ASSERT_EQ(result.outcome, Outcome::solved);
+            (guided ? with : without) += result.iterations;
+        }
+    });
+    EXPECT_LT(with, without / 2);
+}
+
+}  // namespace
+}  // namespace asv::core

@@ -1,0 +1,61 @@
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/validation/validate.hpp"
+
+/// What a report says in words.
+
+namespace asv::core {
+namespace {
+
+TEST(Describe, SaysWhoIsToBlameAndByHowMuch) {
+    Offender offender;
+    offender.asv = 1;
+    offender.broom = 2;
+    offender.obstacle = 4;
+    offender.room = -0.0012;
+    EXPECT_EQ(describe(Check::ends, offender), "ASV 2 misses its place by 0.0012");
+    EXPECT_EQ(describe(Check::steps, offender), "ASV 2 moves too far by 0.0012");
+    EXPECT_EQ(describe(Check::cost, offender), "the written cost is wrong by 0.0012");
+    EXPECT_EQ(describe(Check::broom_lengths, offender),
+              "broom 3 is too long or too short by 0.0012");
+    EXPECT_EQ(describe(Check::convexity, offender),
+              "the turn at ASV 2 is against the others by 0.0012 rad");
+    EXPECT_EQ(describe(Check::area, offender), "the area is too small by 0.0012");
+    EXPECT_EQ(describe(Check::bounds, offender), "ASV 2 is out of bounds by 0.0012");
+    EXPECT_EQ(describe(Check::collisions, offender), "broom 3 meets obstacle 5 by 0.0012");
+}
+
+TEST(Describe, KnowsTheThreeOtherWaysNotToBeConvex) {
+    Offender offender;
+    offender.asv = 2;
+    EXPECT_EQ(describe(Check::convexity, offender), "the turn at ASV 3 is exactly pi");
+    offender.time = 0.5;
+    EXPECT_EQ(describe(Check::convexity, offender), "the side after ASV 3 shrinks to a point");
+    offender.asv.reset();
+    offender.room = -3.14;
+    EXPECT_EQ(describe(Check::convexity, offender),
+              "the turns add up to more than 3 pi by 3.14 rad");
+}
+
+TEST(Describe, ShowsTheRoomOfWhatHolds) {
+    CheckResult result;
+    result.check = Check::collisions;
+    EXPECT_EQ(describe(result), "nothing to check");
+    result.worst.emplace();
+    result.worst->broom = 0;
+    result.worst->obstacle = 6;
+    result.worst->room = 0.25;
+    EXPECT_EQ(describe(result), "room 0.25 at broom 1, obstacle 7");
+}
+
+TEST(Describe, NamesEveryCheck) {
+    const std::vector<std::string_view> names = {"ends",      "steps", "cost",   "broom lengths",
+                                                 "convexity", "area",  "bounds", "collisions"};
+    for (std::size_t i = 0; i < check_count; ++i) EXPECT_EQ(name(static_cast<Check>(i)), names[i]);
+}
+
+}  // namespace
+}  // namespace asv::core

@@ -1,0 +1,69 @@
+#include "io/player/gallery.hpp"
+
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "io/problem/problem_file.hpp"
+#include "io/solution/solution_file.hpp"
+#include "io/text/atomic_file.hpp"
+#include "io/text/parse_error.hpp"
+#include "tests/kit/drawing_samples.hpp"
+#include "tests/kit/temporary_folder.hpp"
+
+namespace asv::io {
+namespace {
+
+using test::sample;
+
+class Gallery : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        std::filesystem::create_directory(folder_ / "cases");
+        const ExhibitInput input = sample(3, {{0.1, 0.3}, {0.2, 0.3}}, {{{0.4, 0}, {0.5, 0.2}}});
+        write_problem(folder_ / "cases/b.txt", input.problem);
+        write_solution(folder_ / "cases/b.solution.txt", *input.solution);
+        write_problem(folder_ / "cases/a&a.txt", input.problem);
+        std::ofstream(folder_ / "cases/c.txt") << "nonsense\n";
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(Gallery, FindsProblemsWithTheirSolutions) {
+    const std::vector<std::filesystem::path> cases{folder_ / "cases", folder_ / "cases/b.txt"};
+    const auto found = find_exhibits(cases, std::nullopt);
+    ASSERT_EQ(found.size(), 4U);
+    EXPECT_EQ(found[0].problem.filename(), "a&a.txt");
+    EXPECT_FALSE(found[0].solution);
+    EXPECT_EQ(found[1].solution->filename(), "b.solution.txt");
+    const std::vector<std::filesystem::path> missing{folder_ / "missing"};
+    EXPECT_THROW(find_exhibits(missing, std::nullopt), ReadError);
+}
+
+TEST_F(Gallery, WritesPicturesPlayersAndAnIndexOfAll) {
+    const std::vector<std::filesystem::path> cases{folder_ / "cases", folder_ / "cases/b.txt"};
+    const GalleryReport report = write_gallery(folder_ / "out", find_exhibits(cases, std::nullopt));
+    EXPECT_EQ(report.shown, 3U);
+    ASSERT_EQ(report.failures.size(), 1U);
+    EXPECT_EQ(report.failures[0].name, "c");
+    for (const char* name : {"a&a", "b", "b-2"}) {
+        for (const char* ending : {".light.svg", ".dark.svg", ".html"}) {
+            EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / (std::string(name) + ending)))
+                << name << ending;
+        }
+    }
+    const std::string index = read_file(folder_ / "out/index.html");
+    EXPECT_NE(index.find("href=\"a%26a.html\""), std::string::npos);
+    EXPECT_NE(index.find(">a&amp;a</a>"), std::string::npos);
+    EXPECT_NE(index.find("c.txt:1:1: expected"), std::string::npos);
+    EXPECT_EQ(index.find(folder_.path().string()), std::string::npos) << "no folder names";
+}
+
+TEST_F(Gallery, AFolderThatCannotBeMadeIsAWriteError) {
+    const std::vector<ExhibitFiles> none;
+    EXPECT_THROW(write_gallery(folder_ / "cases/b.txt/out", none), WriteError);
+}
+
+}  // namespace
+}  // namespace asv::io

@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "io/text/atomic_file.hpp"
+#include "tests/kit/problems.hpp"
+#include "tests/kit/run_program.hpp"
+#include "tests/kit/temporary_folder.hpp"
+
+/// Scenarios of arms and points through all programs.
+
+namespace asv {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> scenarios() {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(test::testcase_file("bodies")))
+        if (entry.path().extension() == ".json") names.push_back(entry.path().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+struct EveryScenario : testing::TestWithParam<std::string> {
+    test::TemporaryFolder folder;
+};
+
+std::string test_name(const testing::TestParamInfo<std::string>& scenario) {
+    std::string name = fs::path(scenario.param).stem().string();
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Ours, EveryScenario, testing::ValuesIn(scenarios()), test_name);
+
+TEST_P(EveryScenario, IsSolvedValidatedAndShown) {
+    const std::string solution = folder / "s.txt", again = folder / "t.txt",
+                      trees = folder / "trees.json", stats = folder / "stats.json";
+    const std::vector<std::string> options{"--threads", "1", "--optimize", "0.05", "--quiet"};
+    for (const std::string& file : {solution, again}) {
+        std::vector<std::string> arguments{GetParam(), file, "--trees", trees, "--stats", stats};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const test::Outcome solved = test::run_program("asv-solve", arguments);
+        ASSERT_EQ(solved.exit_code, 0) << solved.err;
+    }
+    EXPECT_EQ(io::read_file(solution), io::read_file(again));
+    const test::Outcome validated =
+        test::run_program("asv-validate", {GetParam(), solution, "--continuous"});
+    EXPECT_EQ(validated.exit_code, 0) << validated.out;
+    EXPECT_EQ(test::run_program("asv-validate", {GetParam()}).exit_code, 0);
+    const std::string svg = folder / "p.svg", page = folder / "p.html";
+    const test::Outcome viewed = test::run_program(
+        "asv-view",
+        {GetParam(), solution, "--trees", trees, "--stats", stats, "-o", svg, "-o", page});
+    EXPECT_EQ(viewed.exit_code, 0) << viewed.err;
+    EXPECT_GT(fs::file_size(svg), 1000U);
+}
+
+TEST(ScenarioProgram, AMistakeEndsWith3AndItsPlace) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "s.json";
+    std::ofstream(file)
+        << "{\"version\": 1, \"body\": {\"kind\": \"point\"},\n \"start\": [0.5, 0.5],\n"
+           " \"goal\": [0.9, 0.9, 1]}\n";
+    for (const char* program : {"asv-solve", "asv-validate"}) {
+        std::vector<std::string> arguments{file};
+        if (std::string(program) == "asv-solve") arguments.push_back(folder / "out.txt");
+        const test::Outcome outcome = test::run_program(program, arguments);
+        EXPECT_EQ(outcome.exit_code, 3);
+        EXPECT_NE(outcome.err.find(file + ":3:10: expected a point [x, y] at goal"),
+                  std::string::npos)
+            << outcome.err;
+    }
+}
+
+TEST(ScenarioProgram, AnInvalidEndIsToldWithItsLine) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "s.json";
+    std::ofstream(file) << "{\"version\": 1, \"body\": {\"kind\": \"point\"},\n"
+                           " \"obstacles\": [[[0.4, 0.4], [0.6, 0.6]]],\n \"start\": [0.1, 0.1],\n"
+                           " \"goal\": [0.5, 0.5]}\n";
+    const test::Outcome outcome = test::run_program("asv-solve", {file, folder / "out.txt"});
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_NE(outcome.err.find(file + ":4: goal is not valid: the point meets obstacle 1"),
+              std::string::npos)
+        << outcome.err;
+}
+
+}  // namespace
+}  // namespace asv
