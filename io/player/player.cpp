@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/model/planning_window.hpp"
-#include "io/drawing/paint/canvas.hpp"
 #include "io/player/assets.hpp"
 #include "io/player/packing.hpp"
+#include "io/text/markup.hpp"
 
 namespace asv::io {
 
