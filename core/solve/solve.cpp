@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "core/bounds/feasibility.hpp"
-#include "core/bounds/lower_bound.hpp"
 #include "core/model/cost.hpp"
 #include "core/model/planning_window.hpp"
-#include "core/solve/improve_path.hpp"
-#include "core/solve/race.hpp"
-#include "core/solve/solve_call.hpp"
+#include "core/solve/stages/find_bounds.hpp"
+#include "core/solve/stages/improve_path.hpp"
+#include "core/solve/stages/race.hpp"
+#include "core/solve/stages/solve_call.hpp"
 #include "core/validation/validate.hpp"
 
 namespace asv::core {
@@ -47,20 +47,6 @@ Solution checked_solution(const Problem& problem, Path path) {
             throw std::logic_error("the path found fails the check of " +
                                    std::string(name(check.check)) + ": " + describe(check));
     return solution;
-}
-
-/// What any path costs, as well as that can be told in the time that is left: at most some quarter
-/// of it goes into searches, since the path that is found must not come too late.
-void find_bounds(const SolveCall& call, SolveStatistics& statistics) {
-    const double left = call.clock.left();
-    const double preparation = 1e-3 + 1e-5 * static_cast<double>(call.problem.obstacles.size());
-    if (left < preparation) return;
-    constexpr double cells_per_second = 5e5;
-    const auto effort =
-        static_cast<std::size_t>(std::min(cells_per_second * left, 1.0 * max_bound_effort));
-    const CostLowerBound bound = cost_lower_bound(call.problem, Reading::intended, effort);
-    statistics.cost_lower_bound = bound.total;
-    statistics.steps_lower_bound = steps_lower_bound(call.problem, bound);
 }
 
 /// Searches, improves and checks.

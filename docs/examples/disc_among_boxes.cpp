@@ -12,7 +12,7 @@
 
 #include <asv/core/search/rrt_connect.hpp>
 #include <asv/geometry/predicates/distance.hpp>
-#include <asv/io/drawing/canvas.hpp>
+#include <asv/io/drawing/paint/canvas.hpp>
 
 using asv::geometry::Box;
 using asv::geometry::Point;

@@ -3,7 +3,7 @@
 #include <exception>
 #include <iostream>
 
-#include <asv/core/validate/validate.hpp>
+#include <asv/core/validation/validate.hpp>
 #include <asv/io/problem/problem_file.hpp>
 #include <asv/io/solution/solution_file.hpp>
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "tests/kit/configuration_oracle.hpp"
-#include "tests/kit/problems.hpp"
+#include "tests/kit/chains/configuration_oracle.hpp"
+#include "tests/kit/chains/problems.hpp"
 
 namespace asv::test {
 

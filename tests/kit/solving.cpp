@@ -1,7 +1,7 @@
 #include "tests/kit/solving.hpp"
 
+#include "core/model/cost.hpp"
 #include "tests/kit/check_results.hpp"
-#include "tests/kit/paths.hpp"
 
 namespace asv::test {
 
@@ -19,7 +19,7 @@ void expect_solved(const core::Problem& problem, const core::SolveResult& result
     EXPECT_TRUE(result.reason.empty());
     expect_valid(core::validate(problem, *result.solution, {.continuous = true}));
     if (::testing::Test::HasFatalFailure()) return;
-    EXPECT_DOUBLE_EQ(result.solution->cost, cost_of(result.solution->path));
+    EXPECT_DOUBLE_EQ(result.solution->cost, core::cost(result.solution->path));
     EXPECT_EQ(result.statistics.cost, result.solution->cost);
 }
 

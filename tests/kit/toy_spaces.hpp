@@ -8,7 +8,7 @@
 
 #include "core/search/configuration_space.hpp"
 #include "geometry/predicates/segment_box.hpp"
-#include "tests/kit/configurations.hpp"
+#include "tests/kit/chains/configurations.hpp"
 
 /// Spaces small enough to see through, which the planners work in as they do in that of the chain.
 

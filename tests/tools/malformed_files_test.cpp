@@ -1,4 +1,4 @@
-#include "tests/kit/malformed_files.hpp"
+#include "tests/kit/files/malformed_files.hpp"
 
 #include <filesystem>
 #include <ostream>
@@ -12,9 +12,9 @@
 #include <unistd.h>
 
 #include "io/text/atomic_file.hpp"
-#include "tests/kit/problems.hpp"
-#include "tests/kit/run_program.hpp"
-#include "tests/kit/temporary_folder.hpp"
+#include "tests/kit/chains/problems.hpp"
+#include "tests/kit/files/run_program.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
 
 /// Every program that reads problems, on files that cannot be read, understood or written.
 

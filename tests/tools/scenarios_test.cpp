@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "io/text/atomic_file.hpp"
-#include "tests/kit/problems.hpp"
-#include "tests/kit/run_program.hpp"
-#include "tests/kit/temporary_folder.hpp"
+#include "tests/kit/chains/problems.hpp"
+#include "tests/kit/files/run_program.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
 
 /// Scenarios of arms and points through all programs.
 

@@ -9,7 +9,7 @@
 
 #include "core/bounds/seams.hpp"
 #include "core/validation/validate.hpp"
-#include "tests/kit/wall_of_two.hpp"
+#include "tests/kit/chains/wall_of_two.hpp"
 
 namespace asv::core {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "core/validation/validate.hpp"
 #include "geometry/free_plane/free_plane.hpp"
+#include "tests/kit/chains/wall_of_two.hpp"
 #include "tests/kit/random.hpp"
-#include "tests/kit/wall_of_two.hpp"
 
 namespace asv::core {
 namespace {

@@ -1,6 +1,6 @@
 #include "core/chain/arm_kinematics.hpp"
 
-#include "tests/kit/arms.hpp"
+#include "tests/kit/chains/arms.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
 

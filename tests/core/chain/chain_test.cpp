@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "core/model/problem.hpp"
-#include "tests/kit/configurations.hpp"
+#include "tests/kit/chains/configurations.hpp"
 #include "tests/kit/seeds.hpp"
 
 namespace asv::core {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "tests/kit/configurations.hpp"
+#include "tests/kit/chains/configurations.hpp"
 #include "tests/kit/seeds.hpp"
 
 namespace asv::core {

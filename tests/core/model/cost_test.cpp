@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/kit/chains.hpp"
+#include "tests/kit/chains/chains.hpp"
 
 namespace asv::core {
 namespace {

@@ -4,10 +4,10 @@
 
 #include "core/shorten/chain_shortener.hpp"
 #include "core/space/motion_cost.hpp"
-#include "tests/kit/configuration_oracle.hpp"
+#include "tests/kit/chains/configuration_oracle.hpp"
+#include "tests/kit/chains/wandering_path.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
-#include "tests/kit/wandering_path.hpp"
 
 namespace asv::core {
 namespace {

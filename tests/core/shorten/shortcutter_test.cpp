@@ -1,9 +1,9 @@
 #include "core/shorten/shortcutter.hpp"
 
-#include "tests/kit/configuration_oracle.hpp"
+#include "tests/kit/chains/configuration_oracle.hpp"
+#include "tests/kit/chains/wandering_path.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
-#include "tests/kit/wandering_path.hpp"
 
 namespace asv::core {
 namespace {

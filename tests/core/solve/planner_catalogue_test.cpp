@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/kit/error_message.hpp"
+#include "tests/kit/files/error_message.hpp"
 
 namespace asv::core {
 namespace {

@@ -8,11 +8,11 @@
 #include "core/space/sampling/shape_sampler.hpp"
 #include "core/space/steering/slide.hpp"
 #include "core/validation/validate.hpp"
+#include "tests/kit/chains/problems.hpp"
+#include "tests/kit/chains/wandering_path.hpp"
 #include "tests/kit/check_results.hpp"
-#include "tests/kit/problems.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
-#include "tests/kit/wandering_path.hpp"
 
 namespace asv::core {
 namespace {

@@ -1,7 +1,7 @@
 #include <string>
 #include <utility>
 
-#include "tests/kit/problems.hpp"
+#include "tests/kit/chains/problems.hpp"
 #include "tests/kit/solving.hpp"
 
 /// Every planner, sampler and extension by its name, through solve().

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "core/solve/solve.hpp"
-#include "tests/kit/problems.hpp"
+#include "tests/kit/chains/problems.hpp"
 #include "tests/kit/solving.hpp"
 
 namespace asv::core {

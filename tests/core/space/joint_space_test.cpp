@@ -5,8 +5,8 @@
 #include "core/model/planning_window.hpp"
 #include "core/search/trees/interpolate.hpp"
 #include "core/space/joint_world.hpp"
-#include "tests/kit/arms.hpp"
-#include "tests/kit/configurations.hpp"
+#include "tests/kit/chains/arms.hpp"
+#include "tests/kit/chains/configurations.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "core/chain/arm_kinematics.hpp"
 #include "core/model/planning_window.hpp"
-#include "tests/kit/configurations.hpp"
+#include "tests/kit/chains/configurations.hpp"
 
 namespace asv::core {
 namespace {

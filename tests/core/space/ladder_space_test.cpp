@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "core/search/trees/two_trees.hpp"
-#include "tests/kit/configuration_oracle.hpp"
-#include "tests/kit/problems.hpp"
+#include "tests/kit/chains/configuration_oracle.hpp"
+#include "tests/kit/chains/problems.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
 

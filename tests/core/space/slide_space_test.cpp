@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "tests/kit/configurations.hpp"
-#include "tests/kit/problems.hpp"
+#include "tests/kit/chains/configurations.hpp"
+#include "tests/kit/chains/problems.hpp"
 #include "tests/kit/seeds.hpp"
 
 namespace asv::core {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "core/validation/validate.hpp"
+#include "tests/kit/chains/paths.hpp"
 #include "tests/kit/check_results.hpp"
-#include "tests/kit/paths.hpp"
 
 /// The checks of a whole path, and what the report says.
 

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "core/validation/validate.hpp"
+#include "tests/kit/chains/paths.hpp"
 #include "tests/kit/check_results.hpp"
-#include "tests/kit/paths.hpp"
 
 /// The five checks of one state: just inside and just outside of every limit.
 

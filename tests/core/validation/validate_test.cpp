@@ -8,11 +8,11 @@
 #include "core/validation/collisions.hpp"
 #include "geometry/predicates/distance.hpp"
 #include "geometry/predicates/segment_box.hpp"
+#include "tests/kit/chains/paths.hpp"
+#include "tests/kit/chains/random_chains.hpp"
+#include "tests/kit/chains/reference_tester.hpp"
 #include "tests/kit/check_results.hpp"
 #include "tests/kit/geometry/random_boxes.hpp"
-#include "tests/kit/paths.hpp"
-#include "tests/kit/random_chains.hpp"
-#include "tests/kit/reference_tester.hpp"
 #include "tests/kit/scaled.hpp"
 
 /// The validator against the plain tester, against brute force and under symmetries.

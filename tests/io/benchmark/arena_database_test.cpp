@@ -10,8 +10,8 @@
 
 #include "io/benchmark/sqlite.hpp"
 #include "io/text/atomic_file.hpp"
-#include "tests/kit/benchmark_report_sample.hpp"
-#include "tests/kit/temporary_folder.hpp"
+#include "tests/kit/files/benchmark_report_sample.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
 
 namespace asv::io {
 namespace {

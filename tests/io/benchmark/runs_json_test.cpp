@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/kit/benchmark_report_sample.hpp"
+#include "tests/kit/files/benchmark_report_sample.hpp"
 
 namespace asv::io {
 namespace {

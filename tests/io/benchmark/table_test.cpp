@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "io/benchmark/report.hpp"
-#include "tests/kit/benchmark_report_sample.hpp"
-#include "tests/kit/text.hpp"
+#include "tests/kit/files/benchmark_report_sample.hpp"
+#include "tests/kit/files/text.hpp"
 
 namespace asv::io {
 namespace {

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "io/drawing/paint/page.hpp"
-#include "tests/kit/drawing_samples.hpp"
-#include "tests/kit/text.hpp"
+#include "tests/kit/files/drawing_samples.hpp"
+#include "tests/kit/files/text.hpp"
 
 namespace asv::io {
 namespace {

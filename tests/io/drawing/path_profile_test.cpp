@@ -8,7 +8,7 @@
 
 #include "geometry/predicates/distance.hpp"
 #include "io/drawing/drawing.hpp"
-#include "tests/kit/drawing_samples.hpp"
+#include "tests/kit/files/drawing_samples.hpp"
 #include "tests/kit/geometry/random_boxes.hpp"
 
 namespace asv::io {

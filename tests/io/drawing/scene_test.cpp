@@ -1,12 +1,11 @@
-#include "io/drawing/scene.hpp"
-
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
 #include "geometry/predicates/distance.hpp"
+#include "io/drawing/scene/scene_outline.hpp"
 #include "io/text/atomic_file.hpp"
-#include "tests/kit/drawing_samples.hpp"
+#include "tests/kit/files/drawing_samples.hpp"
 
 namespace asv::io {
 namespace {

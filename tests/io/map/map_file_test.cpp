@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "io/text/parse_error.hpp"
-#include "tests/kit/error_message.hpp"
+#include "tests/kit/files/error_message.hpp"
 
 namespace asv::io {
 namespace {

@@ -9,8 +9,8 @@
 #include "io/solution/solution_file.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/parse_error.hpp"
-#include "tests/kit/drawing_samples.hpp"
-#include "tests/kit/temporary_folder.hpp"
+#include "tests/kit/files/drawing_samples.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
 
 namespace asv::io {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/player/packing.hpp"
-#include "tests/kit/drawing_samples.hpp"
+#include "tests/kit/files/drawing_samples.hpp"
 
 namespace asv::io {
 namespace {

@@ -11,9 +11,9 @@
 #include "io/solution/solution_file.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/parse_error.hpp"
-#include "tests/kit/random_files.hpp"
+#include "tests/kit/files/random_files.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
 #include "tests/kit/scaled.hpp"
-#include "tests/kit/temporary_folder.hpp"
 
 namespace asv::io {
 namespace {

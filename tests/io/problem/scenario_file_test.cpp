@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "io/text/parse_error.hpp"
-#include "tests/kit/error_message.hpp"
-#include "tests/kit/temporary_folder.hpp"
+#include "tests/kit/files/error_message.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
 
 namespace asv::io {
 namespace {

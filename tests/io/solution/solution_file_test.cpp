@@ -7,8 +7,8 @@
 
 #include "io/text/atomic_file.hpp"
 #include "io/text/parse_error.hpp"
-#include "tests/kit/error_message.hpp"
-#include "tests/kit/temporary_folder.hpp"
+#include "tests/kit/files/error_message.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
 
 namespace asv::io {
 namespace {

@@ -7,8 +7,8 @@
 #include "io/solution/run_facts.hpp"
 #include "io/text/json_place.hpp"
 #include "io/text/parse_error.hpp"
-#include "tests/kit/error_message.hpp"
-#include "tests/kit/temporary_folder.hpp"
+#include "tests/kit/files/error_message.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
 
 namespace asv::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/text/atomic_file.hpp"
-#include "tests/kit/temporary_folder.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
 
 namespace asv::io {
 namespace {

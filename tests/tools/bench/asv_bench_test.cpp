@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "io/text/atomic_file.hpp"
-#include "tests/kit/problems.hpp"
-#include "tests/kit/run_program.hpp"
-#include "tests/kit/temporary_folder.hpp"
+#include "tests/kit/chains/problems.hpp"
+#include "tests/kit/files/run_program.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
 
 /// What a user of asv-bench sees.
 

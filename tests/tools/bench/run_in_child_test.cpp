@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/kit/problems.hpp"
+#include "tests/kit/chains/problems.hpp"
 
 namespace asv::tools {
 namespace {

@@ -9,8 +9,8 @@
 #include "core/validation/validate.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/text/atomic_file.hpp"
-#include "tests/kit/run_program.hpp"
-#include "tests/kit/temporary_folder.hpp"
+#include "tests/kit/files/run_program.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
 
 namespace asv {
 namespace {

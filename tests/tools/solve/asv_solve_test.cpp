@@ -13,9 +13,9 @@
 #include "io/solution/solution_file.hpp"
 #include "io/solution/trees_file.hpp"
 #include "io/text/atomic_file.hpp"
-#include "tests/kit/problems.hpp"
-#include "tests/kit/run_program.hpp"
-#include "tests/kit/temporary_folder.hpp"
+#include "tests/kit/chains/problems.hpp"
+#include "tests/kit/files/run_program.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
 
 /// What a user of asv-solve sees, and that every problem of ours is solved.
 

@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "io/text/atomic_file.hpp"
-#include "tests/kit/malformed_files.hpp"
-#include "tests/kit/problems.hpp"
-#include "tests/kit/run_program.hpp"
-#include "tests/kit/temporary_folder.hpp"
-#include "tests/kit/text.hpp"
+#include "tests/kit/chains/problems.hpp"
+#include "tests/kit/files/malformed_files.hpp"
+#include "tests/kit/files/run_program.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
+#include "tests/kit/files/text.hpp"
 
 /// What a user of asv-validate sees.
 

@@ -10,9 +10,9 @@
 #include "io/solution/solution_file.hpp"
 #include "io/solution/trees_file.hpp"
 #include "io/text/atomic_file.hpp"
-#include "tests/kit/drawing_samples.hpp"
-#include "tests/kit/run_program.hpp"
-#include "tests/kit/temporary_folder.hpp"
+#include "tests/kit/files/drawing_samples.hpp"
+#include "tests/kit/files/run_program.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
 
 namespace asv {
 namespace {

@@ -122,56 +122,74 @@ TEST(ChainBatch, AmongManyBoxesAsByLookingAtAllOfThem) {
     EXPECT_LT(valid_count, chains.size() - chains.size() / 10);
 }
 
-/// One valid chain, and what each limit makes of it when it is drawn a little too tight.
-TEST(ChainBatch, EveryLimitCounts) {
-    Random random(2);
-    const auto row = test::valid_chains(7, 1, {}, random).at(0);
-    const std::vector<Row> eight(lanes, row);
-    const ChainLimits loose = chain_limits(7);
-    const std::vector<Point> at = test::kernel_positions(row, loose);
-    const BoxIndex none({});
-    const auto valid = [&](const ChainLimits& limits) {
+/// One valid chain of seven points, by which limits can be drawn a little too tight.
+struct OneChain {
+    OneChain() {
+        Random random(2);
+        row = test::valid_chains(7, 1, {}, random).at(0);
+        points = test::kernel_positions(row, loose);
+    }
+
+    bool keeps(const ChainLimits& limits) const {
+        const std::vector<Row> eight(lanes, row);
         return ChainBatch(6, limits, none).valid(packed(eight)) == geometry::simd::all_lanes;
-    };
-    EXPECT_TRUE(valid(loose));
-    const auto expect_limit = [&](auto member, double value, double outwards) {
+    }
+
+    /// It keeps this limit at its own value, give or take a hair, but no tighter one.
+    void expect_limit(double ChainLimits::*member, double value, double outwards) const {
         ChainLimits limits = loose;
         limits.*member = value + 1e-9 * outwards;
-        EXPECT_TRUE(valid(limits));
+        EXPECT_TRUE(keeps(limits));
         limits.*member = value - 1e-9 * outwards;
-        EXPECT_FALSE(valid(limits));
-    };
+        EXPECT_FALSE(keeps(limits));
+    }
+
+    ChainLimits loose = chain_limits(7);
+    Row row;
+    std::vector<Point> points;
+    BoxIndex none{{}};
+};
+
+TEST(ChainBatch, EveryLimitOfTheShapeCounts) {
+    const OneChain chain;
+    const Row& row = chain.row;
+    const std::vector<Point>& at = chain.points;
+    EXPECT_TRUE(chain.keeps(chain.loose));
     const auto minus = [](const Point& p, const Point& q) { return Point{p.x - q.x, p.y - q.y}; };
     const auto cross = [](const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; };
     const Point closing = minus(at[0], at[6]);
-    expect_limit(&ChainLimits::min_closing_side, std::hypot(closing.x, closing.y), -1);
-    expect_limit(&ChainLimits::min_last_closing_turn, cross(minus(at[6], at[5]), closing) / 0.05,
-                 -1);
-    expect_limit(&ChainLimits::min_first_closing_turn, cross(closing, minus(at[1], at[0])) / 0.05,
-                 -1);
-    expect_limit(&ChainLimits::max_total_turn, row[7] - row[2], 1);
+    chain.expect_limit(&ChainLimits::min_closing_side, std::hypot(closing.x, closing.y), -1);
+    chain.expect_limit(&ChainLimits::min_last_closing_turn,
+                       cross(minus(at[6], at[5]), closing) / 0.05, -1);
+    chain.expect_limit(&ChainLimits::min_first_closing_turn,
+                       cross(closing, minus(at[1], at[0])) / 0.05, -1);
+    chain.expect_limit(&ChainLimits::max_total_turn, row[7] - row[2], 1);
     double area = 0, greatest = 0;
     for (std::size_t k = 0; k < 7; ++k) area += cross(at[k], at[(k + 1) % 7]) / 2;
     for (std::size_t k = 3; k < 8; ++k) greatest = std::max(greatest, row[k] - row[k - 1]);
-    expect_limit(&ChainLimits::min_area, area, -1);
-    expect_limit(&ChainLimits::max_turn, greatest, 1);
+    chain.expect_limit(&ChainLimits::min_area, area, -1);
+    chain.expect_limit(&ChainLimits::max_turn, greatest, 1);
     for (std::size_t k = 0; k < 5; ++k) {
-        ChainLimits limits = loose;
+        ChainLimits limits = chain.loose;
         limits.min_turn[k] = row[3 + k] - row[2 + k] - 1e-9;
-        EXPECT_TRUE(valid(limits));
+        EXPECT_TRUE(chain.keeps(limits));
         limits.min_turn[k] += 2e-9;
-        EXPECT_FALSE(valid(limits));
+        EXPECT_FALSE(chain.keeps(limits));
     }
-    const auto [left, right] = std::ranges::minmax(at, {}, &Point::x);
-    const auto [bottom, top] = std::ranges::minmax(at, {}, &Point::y);
-    ChainLimits limits = loose;
+}
+
+TEST(ChainBatch, EverySideOfTheBoundsCountsAndIsClosed) {
+    const OneChain chain;
+    const auto [left, right] = std::ranges::minmax(chain.points, {}, &Point::x);
+    const auto [bottom, top] = std::ranges::minmax(chain.points, {}, &Point::y);
+    ChainLimits limits = chain.loose;
     limits.bounds = {{left.x, bottom.y}, {right.x, top.y}};
-    EXPECT_TRUE(valid(limits)) << "the bounds are closed";
+    EXPECT_TRUE(chain.keeps(limits)) << "the bounds are closed";
     for (double* side : {&limits.bounds.low.x, &limits.bounds.low.y, &limits.bounds.high.x,
                          &limits.bounds.high.y}) {
         const double kept = *side;
         *side += side == &limits.bounds.low.x || side == &limits.bounds.low.y ? 1e-9 : -1e-9;
-        EXPECT_FALSE(valid(limits));
+        EXPECT_FALSE(chain.keeps(limits));
         *side = kept;
     }
 }

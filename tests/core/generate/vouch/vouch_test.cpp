@@ -10,7 +10,7 @@
 #include "core/chain/chain.hpp"
 #include "core/generate/families.hpp"
 #include "core/validation/validate.hpp"
-#include "tests/kit/chains.hpp"
+#include "tests/kit/chains/chains.hpp"
 
 namespace asv::core {
 namespace {

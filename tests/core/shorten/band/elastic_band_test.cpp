@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "core/space/motion_cost.hpp"
-#include "tests/kit/configuration_oracle.hpp"
-#include "tests/kit/problems.hpp"
+#include "tests/kit/chains/configuration_oracle.hpp"
+#include "tests/kit/chains/problems.hpp"
+#include "tests/kit/chains/wandering_path.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
-#include "tests/kit/wandering_path.hpp"
 
 namespace asv::core {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/shorten/band/block_tridiagonal.hpp"
-#include "tests/kit/configurations.hpp"
+#include "tests/kit/chains/configurations.hpp"
 #include "tests/kit/seeds.hpp"
 
 namespace asv::core {

@@ -3,7 +3,7 @@
 
 #include "core/bounds/lower_bound.hpp"
 #include "core/solve/solve.hpp"
-#include "tests/kit/arms.hpp"
+#include "tests/kit/chains/arms.hpp"
 #include "tests/kit/check_results.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"

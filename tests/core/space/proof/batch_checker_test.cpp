@@ -12,9 +12,9 @@
 #include "core/space/chain_world.hpp"
 #include "core/space/sampling/shape_sampler.hpp"
 #include "core/space/straight_space.hpp"
-#include "tests/kit/configurations.hpp"
+#include "tests/kit/chains/configurations.hpp"
+#include "tests/kit/chains/problems.hpp"
 #include "tests/kit/geometry/simd_targets.hpp"
-#include "tests/kit/problems.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
 

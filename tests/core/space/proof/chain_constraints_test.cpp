@@ -7,8 +7,8 @@
 #include "core/solve/solve.hpp"
 #include "core/space/chain_world.hpp"
 #include "geometry/predicates/polygon.hpp"
-#include "tests/kit/configurations.hpp"
-#include "tests/kit/problems.hpp"
+#include "tests/kit/chains/configurations.hpp"
+#include "tests/kit/chains/problems.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
 
@@ -75,7 +75,7 @@ TEST(ChainConstraints, ObstaclesThinnerThanTheToleranceVanish) {
     const Problem problem =
         test::problem(ring(3, {0.3, 0.3}, 0), ring(3, {0.7, 0.7}, 0),
                       {{{0.1, 0.5}, {0.9, 0.5 + 1.9e-5}}, {{0.1, 0.5}, {0.9, 0.5 + 2.1e-5}}});
-    EXPECT_EQ(make_constraints(problem, {3, 0.05, Anchor::centroid}).boxes.size(), 1U);
+    EXPECT_EQ(make_constraints(problem, {3, 0.05, Anchor::centroid}).obstacles.size(), 1U);
 }
 
 /// Six ASVs on a triangle with sides of two brooms: straight joints and a straight closing turn.

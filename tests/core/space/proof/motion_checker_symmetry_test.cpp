@@ -6,7 +6,7 @@
 #include "core/search/trees/interpolate.hpp"
 #include "core/solve/planning_frame.hpp"
 #include "core/space/proof/motion_checker.hpp"
-#include "tests/kit/motion_worlds.hpp"
+#include "tests/kit/chains/motion_worlds.hpp"
 #include "tests/kit/scaled.hpp"
 
 /// The answers of the motion checker do not depend on side or direction.

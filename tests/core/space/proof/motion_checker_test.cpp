@@ -5,7 +5,7 @@
 #include <iostream>
 #include <vector>
 
-#include "tests/kit/motion_worlds.hpp"
+#include "tests/kit/chains/motion_worlds.hpp"
 #include "tests/kit/scaled.hpp"
 
 /// Motions and states against the oracle.

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "tests/kit/configurations.hpp"
+#include "tests/kit/chains/configurations.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
 

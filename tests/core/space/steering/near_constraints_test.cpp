@@ -4,8 +4,8 @@
 
 #include "core/space/chain_world.hpp"
 #include "core/space/sampling/shape_sampler.hpp"
-#include "tests/kit/configurations.hpp"
-#include "tests/kit/problems.hpp"
+#include "tests/kit/chains/configurations.hpp"
+#include "tests/kit/chains/problems.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
 

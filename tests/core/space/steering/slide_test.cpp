@@ -6,8 +6,8 @@
 
 #include "core/search/trees/two_trees.hpp"
 #include "core/space/sampling/shape_sampler.hpp"
-#include "tests/kit/configuration_oracle.hpp"
-#include "tests/kit/problems.hpp"
+#include "tests/kit/chains/configuration_oracle.hpp"
+#include "tests/kit/chains/problems.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
 

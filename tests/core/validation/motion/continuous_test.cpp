@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "core/validation/validate.hpp"
+#include "tests/kit/chains/paths.hpp"
 #include "tests/kit/check_results.hpp"
-#include "tests/kit/paths.hpp"
 
 /// What may go wrong between two states that are both in order.
 

@@ -7,7 +7,7 @@
 
 #include "io/benchmark/plot/plot_axis.hpp"
 #include "io/benchmark/plot/plot_data.hpp"
-#include "tests/kit/benchmark_report_sample.hpp"
+#include "tests/kit/files/benchmark_report_sample.hpp"
 
 namespace asv::io {
 namespace {

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/solve/stages/solve_call.hpp"
+
+namespace asv::core {
+
+/// Notes in the statistics what any path costs at least, and how many steps it has, as well as that
+/// can be told in the time that is left.
+void find_bounds(const SolveCall& call, SolveStatistics& statistics);
+
+}  // namespace asv::core

@@ -1,0 +1,127 @@
+#include "core/solve/stages/race.hpp"
+
+#include <limits>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+#include <tuple>
+#include <vector>
+
+#include "core/bounds/feasibility.hpp"
+#include "core/solve/stages/progress_report.hpp"
+#include "core/solve/stages/tree_pictures.hpp"
+
+namespace asv::core {
+
+namespace {
+
+using CostHistory = decltype(SolveStatistics::cost_history);
+
+double best_cost(const CostHistory& history) {
+    return history.empty() ? std::numeric_limits<double>::infinity() : history.back().second;
+}
+
+/// Seconds of search after which a proof that there is no path is looked for, some of them for each
+/// obstacle: about what the proof itself takes.
+double easy_search(const Problem& problem) {
+    return 0.2 + 2e-5 * static_cast<double>(problem.obstacles.size());
+}
+
+class Race {
+  public:
+    Race(const SolveCall& call, SolveResult& result)
+        : call_(call),
+          result_(result),
+          report_(call),
+          stop_by_caller_(call.options.stop, [this] { stop_.request_stop(); }) {}
+
+    RaceResult run() {
+        {
+            std::vector<std::jthread> others;
+            for (std::size_t thread = 1; thread < call_.threads(); ++thread)
+                others.emplace_back([this, thread] { search(thread); });
+            search(0);
+        }
+        return std::move(race_);
+    }
+
+  private:
+    void search(std::size_t thread) {
+        Limits limits;
+        limits.deadline = call_.deadline;
+        limits.stop = stop_.get_token();
+        Rng rng(call_.seed(thread));
+        CostHistory history;
+        const auto observer = [&](Progress progress) {
+            progress.cost = call_.frame.cost_back(progress.cost);
+            if (progress.cost < best_cost(history))
+                history.emplace_back(call_.clock.elapsed(), progress.cost);
+            if (thread == 0) watch(progress);
+        };
+        Attempt attempt = call_.solver.search(limits, rng, observer, thread);
+        const std::lock_guard lock(mutex_);
+        result_.statistics.state_checks += attempt.checks.state_checks;
+        result_.statistics.edge_checks += attempt.checks.edge_checks;
+        if (race_.winner) return;
+        const bool solved = attempt.search.outcome == Outcome::solved;
+        if (solved || thread == 0) note_search(attempt.search);
+        if (solved) win(thread, std::move(attempt.search.path), std::move(history));
+    }
+
+    /// Reports progress and, once the search turns out not to be easy, looks for a proof that it is
+    /// in vain. The search itself never sees either.
+    void watch(const Progress& progress) {
+        const double easy = easy_search(call_.problem);
+        const bool worth_it = call_.clock.time_limit() > 10 * easy;
+        if (!looked_for_proof_ && worth_it && call_.clock.elapsed() > easy) {
+            looked_for_proof_ = true;
+            const Feasibility proof = check_separation(call_.problem);
+            if (proof.cause != Infeasibility::none) {
+                race_.infeasible = proof.reason;
+                stop_.request_stop();
+            }
+        }
+        report_.tell(progress, std::nullopt);
+    }
+
+    /// Of the search that won or, as long as none has, of that of the first thread.
+    void note_search(const SearchResult& search) {
+        race_.failure = search.outcome;
+        SolveStatistics& statistics = result_.statistics;
+        statistics.iterations = search.iterations;
+        for (std::size_t side = 0; side < search.trees.size(); ++side)
+            statistics.tree_nodes[side] = search.trees[side].size();
+        if (!call_.options.keep_trees) return;
+        result_.trees = draw_trees(search, call_);
+        result_.edges = search.edges;
+    }
+
+    void win(std::size_t thread, Configurations path, CostHistory history) {
+        race_.winner = thread;
+        stop_.request_stop();
+        race_.path = std::move(path);
+        SolveStatistics& statistics = result_.statistics;
+        statistics.cost_of_search = call_.frame.cost_back(call_.solver.cost(race_.path));
+        if (statistics.cost_of_search < best_cost(history))
+            history.emplace_back(call_.clock.elapsed(), statistics.cost_of_search);
+        std::tie(statistics.time_to_first, statistics.cost_first) = history.front();
+        statistics.cost_history = std::move(history);
+    }
+
+    const SolveCall& call_;
+    SolveResult& result_;
+    ProgressReport report_;
+    bool looked_for_proof_ = false;
+    std::stop_source stop_;
+    std::stop_callback<std::function<void()>> stop_by_caller_;
+    std::mutex mutex_;  ///< of race_ and result_
+    RaceResult race_;
+};
+
+}  // namespace
+
+RaceResult race_for_first_path(const SolveCall& call, SolveResult& result) {
+    return Race(call, result).run();
+}
+
+}  // namespace asv::core

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/model/problem.hpp"
+#include "core/solve/bodies/body_solver.hpp"
+#include "core/solve/planning_frame.hpp"
+#include "core/solve/solve.hpp"
+#include "core/solve/stages/solve_clock.hpp"
+
+namespace asv::core {
+
+/// What the stages of one call of solve() share: what was asked for, its clock, and the problem as
+/// it is planned. Refers to all of it.
+struct SolveCall {
+    const Problem& problem;  ///< as it was given
+    const SolveOptions& options;
+    const SolveClock& clock;
+    const PlanningFrame& frame;
+    const BodySolver& solver;  ///< of the frame's problem
+    /// When the search or the improvement has to end, so that what it found can still be checked
+    /// and written.
+    Clock::time_point deadline;
+
+    std::size_t threads() const { return options.threads > 0 ? options.threads : 1; }
+
+    /// A seed for each thread, that of the options for the first one.
+    std::uint64_t seed(std::size_t thread) const {
+        constexpr std::uint64_t golden_ratio = 0x9e3779b97f4a7c15;
+        return options.seed + golden_ratio * thread;
+    }
+};
+
+}  // namespace asv::core

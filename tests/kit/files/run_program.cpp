@@ -1,0 +1,78 @@
+#include "tests/kit/files/run_program.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "io/text/atomic_file.hpp"
+#include "tests/kit/files/temporary_folder.hpp"
+
+namespace asv::test {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool shadow_memory = true;
+#else
+constexpr bool shadow_memory = false;
+#endif
+
+void limit(__rlimit_resource_t resource, std::size_t value) {
+    const rlimit limits{value, value};
+    if (value != 0 && ::setrlimit(resource, &limits) != 0) ::_exit(cannot_start);
+}
+
+void redirect(const std::filesystem::path& file, int flags, int descriptor) {
+    const int opened = ::open(file.c_str(), flags, 0600);
+    if (opened < 0 || ::dup2(opened, descriptor) < 0) ::_exit(cannot_start);
+}
+
+[[noreturn]] void become(std::vector<char*> words, const Surroundings& surroundings,
+                         const std::filesystem::path& out, const std::filesystem::path& err) {
+    redirect("/dev/null", O_RDONLY, STDIN_FILENO);
+    redirect(out, O_WRONLY | O_CREAT, STDOUT_FILENO);
+    redirect(err, O_WRONLY | O_CREAT, STDERR_FILENO);
+    const std::string found = "exitcode=" + std::to_string(sanitizer_exit_code);
+    ::setenv("ASAN_OPTIONS", found.c_str(), 1);
+    ::setenv("UBSAN_OPTIONS", found.c_str(), 1);
+    // Ignored, so that the write itself fails as it does on a full disk.
+    std::signal(SIGXFSZ, SIG_IGN);
+    limit(RLIMIT_FSIZE, surroundings.largest_file);
+    if (!shadow_memory) limit(RLIMIT_AS, surroundings.memory);
+    if (surroundings.user != 0 && ::setuid(surroundings.user) != 0) ::_exit(cannot_start);
+    ::alarm(60);
+    ::execv(words[0], words.data());
+    ::_exit(cannot_start);
+}
+
+}  // namespace
+
+Outcome run_program(const std::string& name, const std::vector<std::string>& arguments,
+                    const Surroundings& surroundings) {
+    const TemporaryFolder folder;
+    std::string program = std::string(ASV_PROGRAM_DIR) + "/" + name;
+    std::vector<std::string> copies = arguments;
+    std::vector<char*> words = {program.data()};
+    for (std::string& word : copies) words.push_back(word.data());
+    words.push_back(nullptr);
+    const bool own_output = surroundings.standard_output.empty();
+    const auto out = own_output ? folder / "out" : surroundings.standard_output;
+    const pid_t child = ::fork();
+    if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
+    if (child == 0) become(words, surroundings, out, folder / "err");
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    Outcome outcome;
+    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    if (own_output) outcome.out = io::read_file(out);
+    outcome.err = io::read_file(folder / "err");
+    return outcome;
+}
+
+}  // namespace asv::test
