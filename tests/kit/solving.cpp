@@ -19,7 +19,7 @@ void expect_solved(const core::Problem& problem, const core::SolveResult& result
     EXPECT_TRUE(result.reason.empty());
     expect_valid(core::validate(problem, *result.solution, {.continuous = true}));
     if (::testing::Test::HasFatalFailure()) return;
-    EXPECT_DOUBLE_EQ(result.solution->cost, core::cost(result.solution->path));
+    EXPECT_DOUBLE_EQ(result.solution->cost, core::cost(problem, result.solution->path));
     EXPECT_EQ(result.statistics.cost, result.solution->cost);
 }
 
