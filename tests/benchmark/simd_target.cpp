@@ -20,7 +20,8 @@ bool force_simd_target(const std::string& name) {
 std::string simd_target_names() {
     std::string names;
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        names += (names.empty() ? "" : " ") + std::string(hwy::TargetName(target));
+        if (!names.empty()) names += ' ';
+        names += hwy::TargetName(target);
     }
     return names;
 }
