@@ -31,7 +31,12 @@ skipped() {
 
 for name in "${presets[@]}"; do
     echo "== $name"
-    cmake --preset "$name" -DASV_BUILD_TESTS=ON -DASV_WARNINGS_AS_ERRORS=ON
+    # Sanitizers change what the optimiser sees, and with it what it warns of.
+    case "$name" in
+        asan | tsan) strict=OFF ;;
+        *) strict=ON ;;
+    esac
+    cmake --preset "$name" -DASV_BUILD_TESTS=ON -DASV_WARNINGS_AS_ERRORS="$strict"
     cmake --build --preset "$name"
     report=build/$name/tests.xml
     code=0
