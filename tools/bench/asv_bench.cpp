@@ -19,7 +19,7 @@
 #include "io/text/atomic_file.hpp"
 #include "tools/bench/bench_plan.hpp"
 #include "tools/bench/machine.hpp"
-#include "tools/bench/run_in_child.hpp"
+#include "tools/bench/run_launcher.hpp"
 #include "tools/common/command_line.hpp"
 #include "tools/common/interrupt.hpp"
 #include "tools/common/progress_line.hpp"
@@ -185,12 +185,14 @@ class Progress {
 };
 
 std::vector<core::BenchmarkRun> run_all(const core::BenchmarkPlan& plan, bool quiet) {
+    asv::tools::RunLauncher launcher(plan);
     const asv::tools::InterruptWatch interrupt;
     Progress progress(plan, !quiet);
     core::BenchmarkWatch watch;
     watch.before = [&](const core::RunPlace& place) { progress.begin(place); };
     watch.after = [&](const core::BenchmarkRun&) { progress.end(); };
-    watch.perform = asv::tools::run_in_child;
+    watch.perform = [&](const core::BenchmarkPlan&, const core::RunPlace& place,
+                        const std::stop_token& abort) { return launcher.run(place, abort); };
     watch.enough = interrupt.token();
     watch.abort = interrupt.again();
     return core::run_benchmark(plan, watch);

@@ -1,4 +1,4 @@
-#include "tools/bench/run_in_child.hpp"
+#include "tools/bench/run_launcher.hpp"
 
 #include <string>
 
@@ -18,10 +18,10 @@ core::BenchmarkPlan plan_of(const std::string& name) {
     return plan;
 }
 
-TEST(RunInChild, IsTheRunThatWouldBeHere) {
+TEST(RunLauncher, IsTheRunThatWouldBeHere) {
     const core::BenchmarkPlan plan = plan_of("3ASV");
     const core::RunPlace place{0, 0, core::Direction::reversed, 9};
-    const core::BenchmarkRun child = run_in_child(plan, place, {});
+    const core::BenchmarkRun child = RunLauncher(plan).run(place, {});
     const core::BenchmarkRun here = core::run_once(plan, place);
     EXPECT_EQ(child.place.seed, 9U);
     EXPECT_EQ(child.place.direction, core::Direction::reversed);
@@ -46,26 +46,26 @@ TEST(RunInChild, IsTheRunThatWouldBeHere) {
     EXPECT_GT(child.peak_memory_bytes.value_or(1), 0U);
 }
 
-TEST(RunInChild, TellsWhyThereIsNoPath) {
+TEST(RunLauncher, TellsWhyThereIsNoPath) {
     core::BenchmarkPlan plan = plan_of("infeasible/opposite-orientation");
-    const core::BenchmarkRun run = run_in_child(plan, {}, {});
+    const core::BenchmarkRun run = RunLauncher(plan).run({}, {});
     EXPECT_EQ(run.status, core::SolveStatus::infeasible);
     EXPECT_FALSE(run.reason.empty());
 }
 
-TEST(RunInChild, WhatIsThrownThereIsAFault) {
+TEST(RunLauncher, WhatIsThrownThereIsAFault) {
     core::BenchmarkPlan plan = plan_of("3ASV");
     plan.problems[0].problem.obstacles.push_back({{0, 0}, {1, 1}});
-    const core::BenchmarkRun run = run_in_child(plan, {}, {});
+    const core::BenchmarkRun run = RunLauncher(plan).run({}, {});
     EXPECT_NE(run.fault.find("not valid"), std::string::npos) << run.fault;
 }
 
-TEST(RunInChild, AbortEndsIt) {
+TEST(RunLauncher, AbortEndsIt) {
     core::BenchmarkPlan plan = plan_of("infeasible/wall-across");
     plan.time_limit = 3600;
     std::stop_source abort;
     abort.request_stop();
-    const core::BenchmarkRun run = run_in_child(plan, {}, abort.get_token());
+    const core::BenchmarkRun run = RunLauncher(plan).run({}, abort.get_token());
     EXPECT_FALSE(run.solved());
     EXPECT_EQ(run.fault, "");
 }

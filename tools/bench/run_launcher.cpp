@@ -1,0 +1,296 @@
+#include "tools/bench/run_launcher.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "io/text/write_all.hpp"
+#include "tools/bench/machine.hpp"
+
+namespace asv::tools {
+
+namespace {
+
+using core::BenchmarkRun;
+using History = std::vector<std::pair<double, double>>;
+
+/// Bytes of values one after the other: both ends are one program.
+class Packer {
+  public:
+    template <class Value>
+    requires std::is_trivially_copyable_v<Value>
+    void operator()(const Value& value) {
+        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    void operator()(const std::string& text) {
+        (*this)(text.size());
+        bytes_ += text;
+    }
+    void operator()(const History& history) {
+        (*this)(history.size());
+        for (const auto& [time, cost] : history) {
+            (*this)(time);
+            (*this)(cost);
+        }
+    }
+    const std::string& bytes() const { return bytes_; }
+
+  private:
+    std::string bytes_;
+};
+
+class Unpacker {
+  public:
+    explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}
+
+    template <class Value>
+    requires std::is_trivially_copyable_v<Value>
+    void operator()(Value& value) { std::memcpy(&value, take(sizeof value).data(), sizeof value); }
+    void operator()(std::string& text) { text = take(size()); }
+    void operator()(History& history) {
+        history.resize(size());
+        for (auto& [time, cost] : history) {
+            (*this)(time);
+            (*this)(cost);
+        }
+    }
+
+  private:
+    std::size_t size() {
+        std::size_t count = 0;
+        (*this)(count);
+        return count;
+    }
+    std::string_view take(std::size_t count) {
+        const std::string_view taken = bytes_.substr(0, count);
+        bytes_.remove_prefix(count);
+        return taken;
+    }
+
+    std::string_view bytes_;
+};
+
+/// Everything of a run but its place, which both ends know.
+template <class Archive, class Run>
+void exchange(Archive& archive, Run& run) {
+    archive(run.status);
+    archive(run.reason);
+    archive(run.fault);
+    archive(run.primitive_steps);
+    archive(run.peak_memory_bytes);
+    auto& spent = run.spent;
+    for (auto* number : {&spent.time_to_first, &spent.time_total, &spent.cost_first, &spent.cost,
+                         &spent.cost_of_search, &spent.cost_lower_bound})
+        archive(*number);
+    for (auto* count :
+         {&spent.steps_lower_bound, &spent.tree_nodes[0], &spent.tree_nodes[1], &spent.iterations})
+        archive(*count);
+    archive(spent.state_checks);
+    archive(spent.edge_checks);
+    archive(spent.cost_history);
+}
+
+/// What comes before the bytes of a run: how its process ended, and how many bytes there are.
+struct Ending {
+    int status = 0;
+    std::size_t size = 0;
+};
+
+/// Up to size bytes; fewer when the other end is closed.
+std::string read_up_to(int in, std::size_t size) {
+    std::string bytes;
+    std::array<char, 65536> block;
+    while (bytes.size() < size) {
+        const ssize_t got = ::read(in, block.data(), std::min(block.size(), size - bytes.size()));
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) break;
+        bytes.append(block.data(), static_cast<std::size_t>(got));
+    }
+    return bytes;
+}
+
+template <class Value>
+bool read_value(int in, Value& value) {
+    const std::string bytes = read_up_to(in, sizeof value);
+    if (bytes.size() < sizeof value) return false;
+    std::memcpy(&value, bytes.data(), sizeof value);
+    return true;
+}
+
+/// false, and no signal, when the other end is closed. A value fits the buffer of a socket.
+template <class Value>
+bool send_value(int socket, const Value& value) {
+    return ::send(socket, &value, sizeof value, MSG_NOSIGNAL) == sizeof value;
+}
+
+int wait_for(pid_t child) {
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+
+[[noreturn]] void fail(const char* what) {
+    throw std::system_error(errno, std::generic_category(), what);
+}
+
+/// The process ends when its parent does.
+void follow(pid_t parent) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != parent) ::_exit(1);
+}
+
+[[noreturn]] void be_run(const core::BenchmarkPlan& plan, const core::RunPlace& place, int out) {
+    BenchmarkRun run;
+    try {
+        run = core::run_once(plan, place);
+    } catch (const std::exception& error) {
+        run.fault = error.what();
+    }
+    run.peak_memory_bytes = peak_memory();
+    Packer packer;
+    exchange(packer, run);
+    // Nothing of the launcher's is to be flushed or undone a second time.
+    ::_exit(io::write_all(out, packer.bytes()) ? 0 : 1);
+}
+
+/// One run in a process of its own; tells how that ended, then what it sent. False when nobody
+/// listens any more.
+bool run_and_tell(const core::BenchmarkPlan& plan, const core::RunPlace& place, int socket) {
+    std::array<int, 2> ends{};
+    if (::pipe(ends.data()) != 0) fail("pipe");
+    const pid_t launcher = ::getpid();
+    const pid_t child = ::fork();
+    if (child < 0) fail("fork");
+    if (child == 0) {
+        follow(launcher);
+        be_run(plan, place, ends[1]);
+    }
+    ::close(ends[1]);
+    const std::string bytes = read_up_to(ends[0], std::string::npos);
+    ::close(ends[0]);
+    const Ending ending{wait_for(child), bytes.size()};
+    return send_value(socket, ending) && io::write_all(socket, bytes);
+}
+
+/// Ctrl-C reaches every process of a terminal; what it means is the program's to say.
+void leave_interrupts_to_the_program() {
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_IGN);
+}
+
+[[noreturn]] void be_launcher(const core::BenchmarkPlan& plan, int socket) {
+    leave_interrupts_to_the_program();
+    // The sockets of the other launchers: each has to end with the program alone.
+    ::close_range(STDERR_FILENO + 1, static_cast<unsigned>(socket) - 1, 0);
+    ::close_range(static_cast<unsigned>(socket) + 1, ~0U, 0);
+    try {
+        core::RunPlace place;
+        while (read_value(socket, place) && run_and_tell(plan, place, socket)) {
+        }
+        ::_exit(0);
+    } catch (const std::exception&) {
+        ::_exit(1);
+    }
+}
+
+/// Waits until the launcher answers; false when a stop is requested first.
+bool wait_for_answer(int socket, const std::stop_token& abort) {
+    while (!abort.stop_requested()) {
+        pollfd wait{socket, POLLIN, 0};
+        if (::poll(&wait, 1, 50) > 0) return true;
+    }
+    return false;
+}
+
+std::string how_it_ended(int status) {
+    if (WIFSIGNALED(status))
+        return "the run was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
+               ::strsignal(WTERMSIG(status)) + ")";
+    return "the run ended with exit code " + std::to_string(WEXITSTATUS(status));
+}
+
+BenchmarkRun read_run(int socket) {
+    BenchmarkRun run;
+    Ending ending;
+    if (!read_value(socket, ending)) {
+        run.fault = "the process that starts the runs has ended";
+        return run;
+    }
+    const std::string bytes = read_up_to(socket, ending.size);
+    if (WIFEXITED(ending.status) && WEXITSTATUS(ending.status) == 0) {
+        Unpacker unpacker(bytes);
+        exchange(unpacker, run);
+    } else {
+        run.fault = how_it_ended(ending.status);
+    }
+    return run;
+}
+
+}  // namespace
+
+RunLauncher::RunLauncher(const core::BenchmarkPlan& plan) : plan_(plan) {
+    while (idle_.size() < plan.jobs) idle_.push_back(start());
+}
+
+RunLauncher::~RunLauncher() {
+    for (const Process& process : idle_) {
+        ::close(process.socket);
+        wait_for(process.id);
+    }
+}
+
+RunLauncher::Process RunLauncher::start() const {
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail("socketpair");
+    const pid_t program = ::getpid();
+    const pid_t launcher = ::fork();
+    if (launcher < 0) fail("fork");
+    if (launcher == 0) {
+        follow(program);
+        be_launcher(plan_, ends[1]);
+    }
+    ::close(ends[1]);
+    return {launcher, ends[0]};
+}
+
+RunLauncher::Process RunLauncher::take() {
+    const std::lock_guard lock(mutex_);
+    const Process process = idle_.back();
+    idle_.pop_back();
+    return process;
+}
+
+void RunLauncher::give_back(Process process) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(process);
+}
+
+core::BenchmarkRun RunLauncher::run(const core::RunPlace& place, const std::stop_token& abort) {
+    const Process process = take();
+    BenchmarkRun run;
+    if (!send_value(process.socket, place))
+        run.fault = "the process that starts the runs has ended";
+    else if (wait_for_answer(process.socket, abort))
+        run = read_run(process.socket);
+    else
+        ::kill(process.id, SIGKILL);
+    give_back(process);
+    run.place = place;
+    return run;
+}
+
+}  // namespace asv::tools
