@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci].
+# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|python].
 # "build" is what the libraries and programs need, "test" adds what the tests need, "ci" the second
-# compiler.
+# compiler as well; "python" is "build" and what the Python module and its tests need.
 set -euo pipefail
 
 build_packages=(
@@ -25,11 +25,19 @@ test_packages=(
 ci_packages=(
     clang                          # a second compiler
 )
+python_packages=(
+    pybind11-dev python3-dev       # C++ that Python can call
+    python3-numpy                  # arrays
+    python3-pip python3-venv       # wheels and where to install them
+    python3-pytest                 # tests
+    python3-matplotlib             # axes to draw on
+)
 
 what=${1:-build}
 packages=("${build_packages[@]}")
 [ "$what" != ci ] || packages+=("${ci_packages[@]}")
-if [ "$what" != build ]; then
+[ "$what" != python ] || packages+=("${python_packages[@]}")
+if [ "$what" = test ] || [ "$what" = ci ]; then
     packages+=("${test_packages[@]}")
     # A browser to open the player in, and what drives it; other sources of node serve as well.
     command -v chromium > /dev/null || packages+=(chromium)
