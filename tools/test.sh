@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is needed, builds and runs all tests as users run the programs (release), and says at
-# the end which were skipped and why.
+# the end which were skipped and why. The Python module is built and tried by release and asan, where
+# the packages of `tools/install_packages.sh python` are there.
 # test.sh PRESET... runs them in other builds: asan with the sanitizers for memory and undefined
 # behaviour, tsan with the one for threads (only tests that start some), clang with that compiler.
 set -euo pipefail
@@ -29,6 +30,13 @@ skipped() {
     ' "$1"
 }
 
+# What of Debian's the Python module lacks; without it the module is not built.
+python_lacks=
+[ -e /usr/include/pybind11/pybind11.h ] || python_lacks+=" pybind11-dev"
+for module in numpy pytest; do
+    /usr/bin/python3 -c "import $module" 2> /dev/null || python_lacks+=" python3-$module"
+done
+
 for name in "${presets[@]}"; do
     echo "== $name"
     # Sanitizers change what the optimiser sees, and with it what it warns of.
@@ -36,11 +44,17 @@ for name in "${presets[@]}"; do
         asan | tsan) strict=OFF ;;
         *) strict=ON ;;
     esac
-    cmake --preset "$name" -DASV_BUILD_TESTS=ON -DASV_WARNINGS_AS_ERRORS="$strict"
+    python=OFF
+    case "$name" in
+        release | asan) [ -n "$python_lacks" ] || python=ON ;;
+    esac
+    cmake --preset "$name" -DASV_BUILD_TESTS=ON -DASV_WARNINGS_AS_ERRORS="$strict" \
+        -DASV_BUILD_PYTHON="$python"
     cmake --build --preset "$name"
     report=build/$name/tests.xml
     code=0
     ctest --preset "$name" -j "$(nproc)" --output-junit "$PWD/$report" || code=$?
     skipped "$report"
+    [ "$python" = ON ] || [ -z "$python_lacks" ] || echo "No Python module: missing$python_lacks"
     [ "$code" -eq 0 ] || exit "$code"
 done

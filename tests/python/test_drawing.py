@@ -35,7 +35,7 @@ def test_the_player_is_a_frame_in_a_notebook(solved, tmp_path):
     player = solved.player()
     assert player.html.lstrip().lower().startswith("<!doctype html>")
     frame = player._repr_html_()
-    assert frame.startswith("<iframe srcdoc=") and frame.count('"', 0, frame.index("title=")) == 2
+    assert frame.startswith("<iframe srcdoc=") and frame.count('"', 0, frame.index(" title=\"Player")) == 2
     player.save(tmp_path / "p.html")
     assert (tmp_path / "p.html").read_text() == player.html
     assert len(asv.player(solved.problem).html) < len(player.html)

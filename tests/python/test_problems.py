@@ -93,7 +93,7 @@ def test_a_parse_error_carries_its_place(testcases):
     with pytest.raises(asv.ParseError) as caught:
         asv.parse_problem("3\n0 0 1 x\n", name="mine.txt")
     error = caught.value
-    assert (error.file, error.line, error.column, error.found) == ("mine.txt", 2, 7, "'x'")
+    assert (error.file, error.line, error.column, error.found) == ("mine.txt", 2, 7, '"x"')
     assert str(error).startswith("mine.txt:2:7: expected ") and isinstance(error, ValueError)
     assert str(pickle.loads(pickle.dumps(error))) == str(error)
 

@@ -50,7 +50,7 @@ class Tree:
 class SearchResult:
     """What a search found and what it spent."""
 
-    outcome: str  #: "solved", or why it ended: "iterations", "nodes", "deadline"
+    outcome: str  #: "solved", or why it ended: "iteration limit", "node limit", "time limit"
     path: Optional["numpy.ndarray"]  #: states x d from start to goal; None unless solved
     cost: Optional[float]  #: of the path
     trees: list[Tree]  #: that of the start, that of the goal; or one alone

@@ -9,8 +9,8 @@ PYBIND11_MODULE(_core, module) {
     asv::python::bind_problem(module);
     asv::python::bind_planners(module);
     asv::python::bind_validate(module);
+    asv::python::bind_draw(module);
     asv::python::bind_solve(module);
     asv::python::bind_generate(module);
-    asv::python::bind_draw(module);
     asv::python::bind_space(module);
 }

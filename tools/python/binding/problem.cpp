@@ -253,7 +253,14 @@ void bind_problem(py::module_& module) {
     const auto released = py::call_guard<py::gil_scoped_release>();
     module.def(
         "read_problem",
-        [](const std::filesystem::path& file) { return with_warnings(io::read_problem(file)); },
+        [](const std::filesystem::path& file) {
+            io::ProblemFile read;
+            {
+                const py::gil_scoped_release release;
+                read = io::read_problem(file);
+            }
+            return with_warnings(std::move(read));
+        },
         "file"_a, "(problem, [(file, line, message), ...]).");
     module.def(
         "parse_problem",

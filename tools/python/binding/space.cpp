@@ -46,6 +46,7 @@ core::Observer observer_of(const py::object& on_progress) {
 }
 
 SearchResult search(const Question& question, const core::Planner& planner, Rng& rng) {
+    core::require_usable(planner, core::BodyKind::point);
     const PythonSpace plain(question.space, question.start.size());
     const core::SamplerOptions* sampler = core::sampler_options(planner);
     if (sampler == nullptr)
@@ -73,7 +74,8 @@ py::tuple tree_of(const core::Tree& tree, std::size_t dimension) {
     for (std::uint32_t node = 0; node < tree.size(); ++node) {
         const auto row = tree.row(node);
         rows.insert(rows.end(), row.begin(), row.end());
-        parents.push_back(tree.parent(node) == core::Tree::none ? -1 : tree.parent(node));
+        const std::uint32_t parent = tree.parent(node);
+        parents.push_back(parent == core::Tree::none ? std::int64_t{-1} : std::int64_t{parent});
     }
     const auto count = static_cast<py::ssize_t>(tree.size());
     return py::make_tuple(copy(rows, {count, static_cast<py::ssize_t>(dimension)}),

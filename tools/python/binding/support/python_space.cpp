@@ -84,6 +84,8 @@ bool PythonSpace::sample(core::Rng& rng, std::span<double> out) {
     if (row.size() != out.size())
         throw std::invalid_argument("sample() returned " + std::to_string(row.size()) +
                                     " numbers, start and goal have " + std::to_string(out.size()));
+    if (!std::all_of(row.begin(), row.end(), [](double x) { return std::isfinite(x); }))
+        throw std::invalid_argument("sample() returned a number that is not finite");
     std::copy(row.begin(), row.end(), out.begin());
     return true;
 }
@@ -114,7 +116,10 @@ Steered PythonSpace::steer(Row from, Row target, core::Configurations& visited) 
         throw std::invalid_argument("rrt-connect needs a stride above 0, or low and high");
     std::vector<double> at(from.begin(), from.end()), next(from.size());
     auto outcome = Steered::trapped;
-    while (outcome != Steered::reached) {
+    // Twice as many strides as it should take: a distance that obeys no law must not go on for
+    // ever.
+    const double most_strides = 2 + 2 * distance(from, target) / stride_;
+    for (double strides = 0; outcome != Steered::reached && strides < most_strides; ++strides) {
         const double left = distance(at, target);
         const bool last = left <= stride_;
         if (last)
