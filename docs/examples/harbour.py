@@ -1,4 +1,4 @@
-"""A harbour of one's own, in metres: five boats tow four booms of 5 m out of a basin."""
+"""A harbour of one's own, in metres: five ASVs leave a basin, their brooms 5 m long."""
 
 import asv
 
@@ -19,13 +19,13 @@ for end, reason in asv.invalid_ends(harbour):
     print(f"the {end} is not valid: {reason}")
 
 result = asv.solve(harbour, seed=1, optimize=0.5)
-print(f"{result.status}: the boats go {result.cost:.0f} m together, at least {result.lower_bound:.0f} m")
+print(f"{result.status}: the ASVs go {result.cost:.0f} m together, at least {result.lower_bound:.0f} m")
 
 report = asv.validate(harbour, result, tolerance=harbour.requirements.tolerance)
 print("valid" if report.valid else report)
 for check in report.checks:
     if check.name == "collisions":
-        print(f"tightest: boom {check.worst.broom + 1} beside obstacle {check.worst.obstacle + 1}")
+        print(f"tightest: broom {check.worst.broom + 1} beside obstacle {check.worst.obstacle + 1}")
 
 asv.write_problem("harbour.json", harbour)
 result.draw(title="Out of the harbour").save("harbour.svg")
