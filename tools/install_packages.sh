@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci].
-# "build" is what the libraries and programs need, "test" adds what the tests need, "ci" the second
-# compiler.
+# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|package|
+# package_test]. "build" is what the libraries and programs need, "test" adds what the tests need, "ci"
+# the second compiler; "package" adds to "build" what makes Debian packages, "package_test" what tries
+# them.
 set -euo pipefail
 
 build_packages=(
@@ -25,11 +26,24 @@ test_packages=(
 ci_packages=(
     clang                          # a second compiler
 )
+package_packages=(
+    dpkg-dev file                  # which packages a program stands on
+    chrpath                        # programs without search paths
+)
+package_test_packages=(
+    lintian                        # Debian's own judge of packages
+    mmdebstrap                     # a Debian with nothing in it
+    qemu-user                      # an old processor
+)
 
 what=${1:-build}
 packages=("${build_packages[@]}")
-[ "$what" != ci ] || packages+=("${ci_packages[@]}")
-if [ "$what" != build ]; then
+case "$what" in
+    ci) packages+=("${ci_packages[@]}") ;;
+    package) packages+=("${package_packages[@]}") ;;
+    package_test) packages+=("${package_packages[@]}" "${package_test_packages[@]}") ;;
+esac
+if [ "$what" = test ] || [ "$what" = ci ]; then
     packages+=("${test_packages[@]}")
     # A browser to open the player in, and what drives it; other sources of node serve as well.
     command -v chromium > /dev/null || packages+=(chromium)
