@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|package|
+# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|python|package|
 # package_test]. "build" is what the libraries and programs need, "test" adds what the tests need, "ci"
-# the second compiler; "package" adds to "build" what makes Debian packages, "package_test" what tries
-# them.
+# the second compiler as well; "python" is "build" and what the Python module and its tests need;
+# "package" is "build" and what makes Debian packages, "package_test" what tries them as well.
 set -euo pipefail
 
 build_packages=(
@@ -26,6 +26,13 @@ test_packages=(
 ci_packages=(
     clang                          # a second compiler
 )
+python_packages=(
+    pybind11-dev python3-dev       # C++ that Python can call
+    python3-numpy                  # arrays
+    python3-pip python3-venv       # wheels and where to install them
+    python3-pytest                 # tests
+    python3-matplotlib             # axes to draw on
+)
 package_packages=(
     dpkg-dev file                  # which packages a program stands on
     chrpath                        # programs without search paths
@@ -42,6 +49,7 @@ case "$what" in
     ci) packages+=("${ci_packages[@]}") ;;
     package) packages+=("${package_packages[@]}") ;;
     package_test) packages+=("${package_packages[@]}" "${package_test_packages[@]}") ;;
+    python) packages+=("${python_packages[@]}") ;;
 esac
 if [ "$what" = test ] || [ "$what" = ci ]; then
     packages+=("${test_packages[@]}")

@@ -1,19 +1,27 @@
 #!/usr/bin/env bash
 # Makes Debian packages from the release build, which it builds if need be: package.sh [FOLDER]
-# package.sh --shared [FOLDER] makes them with shared libraries, from a build of its own.
+# package.sh --shared ... makes them with shared libraries, from a build of its own;
+# package.sh --python ... makes that of the Python module too.
 # The packages lie in FOLDER, build/packages by default.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 preset=release
-if [ "${1:-}" = --shared ]; then
-    preset=shared
-    shift
-fi
-folder=$(realpath -m "${1:-build/packages}")
-
-tools/install_packages.sh package
+folder=build/packages
 options=()
+tools/install_packages.sh package
+for argument in "$@"; do
+    case "$argument" in
+        --shared) preset=shared ;;
+        --python)
+            tools/install_packages.sh python
+            options+=(-DASV_BUILD_PYTHON=ON)
+            ;;
+        *) folder=$argument ;;
+    esac
+done
+folder=$(realpath -m "$folder")
+
 [ -f "build/$preset/CMakeCache.txt" ] || options+=(-DASV_BUILD_TESTS=OFF)
 cmake --preset "$preset" "${options[@]}"
 cmake --build --preset "$preset"

@@ -83,7 +83,12 @@ if(ASV_BUILD_TOOLS)
 problems: asv-solve, asv-validate, asv-view, asv-generate and asv-bench.")
 endif()
 if(ASV_BUILD_PYTHON)
-  asv_debian_package(python python3-asv SECTION python DEPENDS python3 python3-numpy
+  # The module is compiled for one minor version of Debian's interpreter.
+  execute_process(COMMAND /usr/bin/python3 -c "import sys; print(sys.version_info.minor)"
+    OUTPUT_VARIABLE minor OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  math(EXPR next_minor "${minor} + 1")
+  asv_debian_package(python python3-asv SECTION python
+    DEPENDS "python3 (>= 3.${minor})" "python3 (<< 3.${next_minor})" python3-numpy
     SUMMARY "planner for chains of ASVs joined by brooms - Python module"
     DESCRIPTION "${about}This is the Python module asv.")
 endif()
