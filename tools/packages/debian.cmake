@@ -48,8 +48,8 @@ function(asv_debian_package component name)
 endfunction()
 
 set(about "ASVs (autonomous surface vehicles) are points in the plane that rigid booms,
-the brooms, join to a chain. Planned is how such a chain moves among rectangles.
-Every motion is proven valid as a whole.\n\n")
+the brooms, join to a chain. Planned is how such a chain moves among
+rectangles. Every motion is proven valid as a whole.\n\n")
 
 set(parts core generate benchmark)
 if(ASV_BUILD_IO)
