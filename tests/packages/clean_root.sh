@@ -33,14 +33,17 @@ if ! in_root "$root" /root/asv 'apt-get update && bash -euvo pipefail commands' 
 fi
 echo "docs/packages.md: $(grep -c . "$tree/commands") lines run in a clean Debian"
 
-# What packages promise beside their programs.
+# Programs that have man pages at all have one each, and completions are scripts that their shell reads.
 in_root "$root" / 'for program in bench generate solve validate view; do
-    test "$(asv-$program --version)" != ""
-    test ! -d /usr/share/man/man1 -o -f "/usr/share/man/man1/asv-$program.1.gz" || echo "no man page of asv-$program"
+    if [ -d /usr/share/man/man1 ] && ls /usr/share/man/man1/asv-* > /dev/null 2>&1; then
+        gzip -t "/usr/share/man/man1/asv-$program.1.gz"
+    fi
+done
+for file in /usr/share/bash-completion/completions/asv-*; do
+    [ ! -e "$file" ] || bash -n "$file"
 done'
 
-packages=$(dpkg-deb --show --showformat='${Package} ' "$debs"/*.deb 2> /dev/null ||
-    for deb in "$debs"/*.deb; do dpkg-deb --field "$deb" Package; done)
-in_root "$root" / "apt-get purge $(tr '\n' ' ' <<< "$packages")" > "$work/log" 2>&1 || { tail "$work/log"; exit 1; }
+mapfile -t packages < <(for deb in "$debs"/*.deb; do dpkg-deb --field "$deb" Package; done)
+in_root "$root" / "apt-get purge ${packages[*]}" > "$work/log" 2>&1 || { tail "$work/log"; exit 1; }
 left=$(find "$root/usr" \( -name 'asv*' -o -name 'libasv*' \) -print)
 [ -z "$left" ] || { echo "left when the packages are gone: $left"; exit 1; }

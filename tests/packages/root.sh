@@ -21,9 +21,15 @@ make_root() {
     mkdir -p "$folder"
     tar -C "$folder" -xf "$archive"
     cp -L /etc/resolv.conf "$folder/etc/resolv.conf"
-    # As in a container: no questions, nothing that is only recommended; and no waiting for the disk.
-    printf 'APT::Get::Assume-Yes "true";\nAPT::Install-Recommends "false";\n' \
-        > "$folder/etc/apt/apt.conf.d/tests"
+    # As in a container: no questions, nothing that is only recommended, nothing kept of what is fetched;
+    # and no waiting for the disk.
+    cat > "$folder/etc/apt/apt.conf.d/tests" << 'END'
+APT::Get::Assume-Yes "true";
+APT::Install-Recommends "false";
+APT::Keep-Downloaded-Packages "false";
+Dir::Cache::pkgcache "";
+Dir::Cache::srcpkgcache "";
+END
     echo force-unsafe-io > "$folder/etc/dpkg/dpkg.cfg.d/tests"
 }
 
