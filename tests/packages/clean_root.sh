@@ -3,8 +3,9 @@
 # clean_root.sh PROJECT FOLDER_OF_PACKAGES
 #
 # All blocks of the page that open with ```sh installed are run, in their order, by one shell, in a
-# folder that has the packages, the examples and the test cases where the tree has them. In the end
-# nothing must be left of the packages.
+# folder that has the packages, the examples and the test cases where the tree has them; those that open
+# with ```sh installed python, where the packages have the Python module. In the end nothing must be left
+# of the packages.
 set -euo pipefail
 project=$1
 debs=$2
@@ -23,7 +24,9 @@ mkdir "$tree/docs"
 cp -r "$project/docs/examples" "$tree/docs/examples"
 cp -r "$project/tests/house/consumer" "$tree/tests/house/consumer"
 
-awk '/^```/ { inside = !inside && $0 == "```sh installed"; next } inside' \
+kinds='^```sh installed$'
+! compgen -G "$debs/python3-asv_*.deb" > /dev/null || kinds='^```sh installed( python)?$'
+awk -v kinds="$kinds" '/^```/ { inside = !inside && $0 ~ kinds; next } inside' \
     "$project/docs/packages.md" > "$tree/commands"
 [ -s "$tree/commands" ] || { echo "docs/packages.md: no block that begins with \`\`\`sh installed"; exit 1; }
 if ! in_root "$root" /root/asv 'apt-get update && bash -euvo pipefail commands' > "$work/log" 2>&1; then

@@ -36,6 +36,10 @@ holds libasv-dev include/asv/core/solve/solve.hpp include/asv/io/problem/problem
     lib/libasv_{benchmark,core,generate,geometry,io,io_benchmark}.a lib/cmake/asv/asv-config.cmake \
     lib/pkgconfig/asv-{benchmark,core,generate,io,io-benchmark}.pc
 needs libasv-dev libhwy-dev libmpfr-dev libgmp-dev libcairo2-dev libpng-dev libsqlite3-dev
+if compgen -G "$folder/python3-asv_*.deb" > /dev/null; then
+    holds python3-asv lib/python3/dist-packages/asv/__init__.py lib/python3/dist-packages/asv/py.typed
+    needs python3-asv python3 python3-numpy libcairo2
+fi
 rm "$folder/list"
 
 for deb in "$folder"/*.deb; do

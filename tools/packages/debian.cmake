@@ -86,6 +86,9 @@ if(ASV_BUILD_PYTHON)
   # The module is compiled for one minor version of Debian's interpreter.
   execute_process(COMMAND /usr/bin/python3 -c "import sys; print(sys.version_info.minor)"
     OUTPUT_VARIABLE minor OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  # Bytecode is made when the package is installed, and goes when it goes.
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    ${CMAKE_CURRENT_LIST_DIR}/python/postinst ${CMAKE_CURRENT_LIST_DIR}/python/prerm)
   math(EXPR next_minor "${minor} + 1")
   asv_debian_package(python python3-asv SECTION python
     DEPENDS "python3 (>= 3.${minor})" "python3 (<< 3.${next_minor})" python3-numpy
