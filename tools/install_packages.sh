@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|python].
-# "build" is what the libraries and programs need, "test" adds what the tests need, "ci" the second
-# compiler as well; "python" is "build" and what the Python module and its tests need.
+# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|python|package|
+# package_test]. "build" is what the libraries and programs need, "test" adds what the tests need, "ci"
+# the second compiler as well; "python" is "build" and what the Python module and its tests need;
+# "package" is "build" and what makes Debian packages, "package_test" what tries them as well.
 set -euo pipefail
 
 build_packages=(
@@ -32,11 +33,24 @@ python_packages=(
     python3-pytest                 # tests
     python3-matplotlib             # axes to draw on
 )
+package_packages=(
+    dpkg-dev file                  # which packages a program stands on
+    chrpath                        # programs without search paths
+)
+package_test_packages=(
+    lintian                        # Debian's own judge of packages
+    mmdebstrap                     # a Debian with nothing in it
+    qemu-user                      # an old processor
+)
 
 what=${1:-build}
 packages=("${build_packages[@]}")
-[ "$what" != ci ] || packages+=("${ci_packages[@]}")
-[ "$what" != python ] || packages+=("${python_packages[@]}")
+case "$what" in
+    ci) packages+=("${ci_packages[@]}") ;;
+    package) packages+=("${package_packages[@]}") ;;
+    package_test) packages+=("${package_packages[@]}" "${package_test_packages[@]}") ;;
+    python) packages+=("${python_packages[@]}") ;;
+esac
 if [ "$what" = test ] || [ "$what" = ci ]; then
     packages+=("${test_packages[@]}")
     # A browser to open the player in, and what drives it; other sources of node serve as well.

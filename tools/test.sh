@@ -4,6 +4,7 @@
 # the packages of `tools/install_packages.sh python` are there.
 # test.sh PRESET... runs them in other builds: asan with the sanitizers for memory and undefined
 # behaviour, tsan with the one for threads (only tests that start some), clang with that compiler.
+# test.sh packages tries the release build as those meet it who install it (docs/packages.md).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -12,6 +13,10 @@ presets=("$@")
 case " ${presets[*]} " in
     *" clang "*) tools/install_packages.sh ci ;;
     *) tools/install_packages.sh test ;;
+esac
+case " ${presets[*]} " in
+    # Where these cannot be had, the tests that need them are skipped.
+    *" packages "*) tools/install_packages.sh package_test || true ;;
 esac
 
 # skipped REPORT: the tests of a JUnit report that did not run, each with what it said.
@@ -46,12 +51,15 @@ for name in "${presets[@]}"; do
     esac
     python=OFF
     case "$name" in
-        release | asan) [ -n "$python_lacks" ] || python=ON ;;
+        release | packages | asan) [ -n "$python_lacks" ] || python=ON ;;
     esac
-    cmake --preset "$name" -DASV_BUILD_TESTS=ON -DASV_WARNINGS_AS_ERRORS="$strict" \
+    # Packages are made of the release build.
+    build=$name
+    [ "$name" != packages ] || build=release
+    cmake --preset "$build" -DASV_BUILD_TESTS=ON -DASV_WARNINGS_AS_ERRORS="$strict" \
         -DASV_BUILD_PYTHON="$python"
-    cmake --build --preset "$name"
-    report=build/$name/tests.xml
+    cmake --build --preset "$build"
+    report=build/$build/$name-tests.xml
     code=0
     ctest --preset "$name" -j "$(nproc)" --output-junit "$PWD/$report" || code=$?
     skipped "$report"
