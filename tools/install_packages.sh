@@ -22,6 +22,10 @@ test_packages=(
     clang-format universal-ctags   # the form and the sizes of the sources
     gdb                            # the walk through the program
 )
+manual_packages=(
+    bash-completion zsh fish       # shells that complete
+    mandoc groff                   # what finds faults in manual pages
+)
 ci_packages=(
     clang                          # a second compiler
 )
@@ -30,7 +34,7 @@ what=${1:-build}
 packages=("${build_packages[@]}")
 [ "$what" != ci ] || packages+=("${ci_packages[@]}")
 if [ "$what" != build ]; then
-    packages+=("${test_packages[@]}")
+    packages+=("${test_packages[@]}" "${manual_packages[@]}")
     # A browser to open the player in, and what drives it; other sources of node serve as well.
     command -v chromium > /dev/null || packages+=(chromium)
     command -v node > /dev/null || packages+=(nodejs)
