@@ -2,7 +2,8 @@
 # What zsh offers for the last word of a line: complete_zsh.sh SHARE LINE
 #
 # A real interactive zsh completes the line in a pseudo terminal; its compadd, through which all that
-# is offered goes, tells a file as well.
+# is offered goes, tells a file as well. ASV_ZSH_DUMP: a file in which zsh keeps the list of all that it
+# can complete, which takes a second to make; whoever completes many lines sets it.
 set -euo pipefail
 share=$(realpath "$1")
 line=$2
@@ -12,7 +13,7 @@ cat > "$work/.zshrc" << END
 PROMPT=
 fpath=($share/zsh/vendor-completions \$fpath)
 autoload -Uz compinit
-compinit -u -D
+compinit -u -C -d ${ASV_ZSH_DUMP:-$work/dump}
 compadd() {
     # With -O, -A or -D it only fills arrays.
     if [[ \${@[1,(i)(-|--)]} == *-(O|A|D)\ * ]]; then

@@ -38,8 +38,9 @@ planners=$(asv-solve --list-planners | sed -n 's/^\([a-z-]*\):.*/\1/p')
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cd "$work"
-mkdir folder
+export ASV_ZSH_DUMP=$work/dump
+mkdir -p "$work/here/folder"
+cd "$work/here"
 touch a.txt b.json c.png d.svg e.html f.csv
 
 for program in asv-bench asv-generate asv-solve asv-validate asv-view; do
