@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci].
+# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|site].
 # "build" is what the libraries and programs need, "test" adds what the tests need, "ci" the second
-# compiler.
+# compiler; "site" is what tools/site.sh needs, with what it takes to configure the project.
 set -euo pipefail
 
 build_packages=(
@@ -30,10 +30,16 @@ ci_packages=(
     clang                          # a second compiler
 )
 
+site_packages=(
+    python3-sphinx python3-myst-parser furo # pages
+    doxygen python3-breathe                 # the reference of the public headers
+)
+
 what=${1:-build}
 packages=("${build_packages[@]}")
 [ "$what" != ci ] || packages+=("${ci_packages[@]}")
-if [ "$what" != build ]; then
+[ "$what" != site ] || packages+=("${site_packages[@]}")
+if [ "$what" = test ] || [ "$what" = ci ]; then
     packages+=("${test_packages[@]}" "${manual_packages[@]}")
     # A browser to open the player in, and what drives it; other sources of node serve as well.
     command -v chromium > /dev/null || packages+=(chromium)
