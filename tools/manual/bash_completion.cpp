@@ -3,7 +3,7 @@
 #include "tools/manual/command.hpp"
 #include "tools/manual/manual.hpp"
 #include "tools/manual/planners.hpp"
-#include "tools/manual/shell_text.hpp"
+#include "tools/manual/text_pieces.hpp"
 
 namespace asv::tools::manual {
 
@@ -120,8 +120,8 @@ void write_words(std::ostream& out, const Command& command, const std::string& f
     if (!command.subcommands.empty()) {
         out << "        case $family in\n";
         for (const Command& family : command.subcommands)
-            out << "            " << family.name << ") options+=" << quoted(" " + names_of(family))
-                << " ;;\n";
+            out << "            " << family.name
+                << ") options+=" << quoted(glued({" ", names_of(family)})) << " ;;\n";
         out << "        esac\n";
     }
     out << "        mapfile -t COMPREPLY < <(compgen -W \"$options\" -- \"$cur\")\n"
@@ -138,7 +138,7 @@ void write_words(std::ostream& out, const Command& command, const std::string& f
 }  // namespace
 
 std::string bash_completion(const Command& command) {
-    const std::string function = "_" + identifier(command.name);
+    const std::string function = function_prefix(command.name);
     std::ostringstream out;
     out << "# Made from the options of " << command.name << ", as --help prints them.\n"
         << "# shellcheck shell=bash disable=SC2154\n\n";

@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "tools/manual/shell_text.hpp"
+#include "tools/manual/text_pieces.hpp"
 
 namespace asv::tools::manual {
 

@@ -3,7 +3,7 @@
 #include "tools/manual/command.hpp"
 #include "tools/manual/manual.hpp"
 #include "tools/manual/planners.hpp"
-#include "tools/manual/shell_text.hpp"
+#include "tools/manual/text_pieces.hpp"
 
 namespace asv::tools::manual {
 
@@ -13,15 +13,15 @@ namespace {
 std::string offered(const Value& value, const std::string& function) {
     switch (value.kind) {
         case Value::Kind::file:
-            return "(" + function + "_files " + joined(value.words, " ") + ")";
+            return glued({"(", function, "_files ", joined(value.words, " "), ")"});
         case Value::Kind::folder:
             return "(__fish_complete_directories)";
         case Value::Kind::words:
             return joined(value.words, " ");
         case Value::Kind::planner:
-            return joined(value.words, " ") + " (" + function + "_planners)";
+            return glued({joined(value.words, " "), " (", function, "_planners)"});
         case Value::Kind::setting:
-            return "(" + function + "_settings)";
+            return glued({"(", function, "_settings)"});
         case Value::Kind::none:
         case Value::Kind::other:
             break;
@@ -38,7 +38,7 @@ void write_option(std::ostream& out, const std::string& program, const Argument&
         out << (name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1));
     if (option.value.kind != Value::Kind::none) out << " -x";
     out << " -d " << quoted_for_fish(option.description);
-    const std::string offer = offered(option.value, "__" + identifier(program));
+    const std::string offer = offered(option.value, glued({"_", function_prefix(program)}));
     if (!offer.empty()) out << " -a " << quoted_for_fish(offer);
     out << '\n';
 }
@@ -113,7 +113,7 @@ void write_families(std::ostream& out, const Command& command) {
 }  // namespace
 
 std::string fish_completion(const Command& command) {
-    const std::string function = "__" + identifier(command.name);
+    const std::string function = glued({"_", function_prefix(command.name)});
     std::ostringstream out;
     out << "# Made from the options of " << command.name << ", as --help prints them.\n\n";
     write_files(out, function);

@@ -5,6 +5,7 @@
 #include "core/solve/planner_catalogue.hpp"
 #include "tools/manual/command.hpp"
 #include "tools/manual/manual.hpp"
+#include "tools/manual/text_pieces.hpp"
 
 namespace asv::tools::manual {
 
@@ -48,10 +49,10 @@ std::string folded(std::string_view text) {
 }
 
 std::string bold(std::string_view text) {
-    return "\\fB" + escaped(text) + "\\fR";
+    return glued({"\\fB", escaped(text), "\\fR"});
 }
 std::string italic(std::string_view text) {
-    return "\\fI" + escaped(text) + "\\fR";
+    return glued({"\\fI", escaped(text), "\\fR"});
 }
 
 std::string upper(std::string text) {
@@ -89,15 +90,15 @@ void write_synopsis(Page& page, const Command& command) {
     std::string line = bold(command.name);
     for (const Argument& argument : command.options)
         if (argument.required)
-            line += " " + bold(argument.names.front()) + " " + italic(argument.value.shown);
+            line += glued({" ", bold(argument.names.front()), " ", italic(argument.value.shown)});
     for (const Argument& argument : command.positionals) {
         const std::string name =
             italic(argument.names.front()) + (argument.repeatable ? "..." : "");
-        line += argument.required ? " " + name : " [" + name + "]";
+        line += argument.required ? glued({" ", name}) : glued({" [", name, "]"});
     }
-    line += " [" + italic("OPTION") + "]...";
+    line += glued({" [", italic("OPTION"), "]..."});
     if (!command.subcommands.empty())
-        line += " " + italic("FAMILY") + " [" + italic("OPTION") + "]...";
+        line += glued({" ", italic("FAMILY"), " [", italic("OPTION"), "]..."});
     page.raw(line);
 }
 
@@ -106,7 +107,8 @@ void write_argument(Page& page, const Argument& argument) {
     std::string term;
     for (const std::string& name : argument.names)
         term += (term.empty() ? "" : ", ") + (positional ? italic(name) : bold(name));
-    if (!positional && !argument.value.shown.empty()) term += " " + italic(argument.value.shown);
+    if (!positional && !argument.value.shown.empty())
+        term += glued({" ", italic(argument.value.shown)});
     std::string text = sentence(argument.description);
     if (!argument.default_value.empty()) text += " Default: " + argument.default_value + ".";
     page.item(term, text);

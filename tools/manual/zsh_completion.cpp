@@ -3,7 +3,7 @@
 #include "tools/manual/command.hpp"
 #include "tools/manual/manual.hpp"
 #include "tools/manual/planners.hpp"
-#include "tools/manual/shell_text.hpp"
+#include "tools/manual/text_pieces.hpp"
 
 namespace asv::tools::manual {
 
@@ -25,7 +25,7 @@ std::string action(const Value& value, const std::string& function) {
         case Value::Kind::folder:
             return "_files -/";
         case Value::Kind::words:
-            return "(" + joined(value.words, " ") + ")";
+            return glued({"(", joined(value.words, " "), ")"});
         case Value::Kind::planner: {
             std::string choices;
             for (const std::string& word : value.words) choices += word + "\\:every ";
@@ -46,12 +46,12 @@ std::string action(const Value& value, const std::string& function) {
 void write_option(std::ostream& out, const Argument& option, const std::string& function) {
     const bool valued = option.value.kind != Value::Kind::none;
     for (const std::string& name : option.names) {
-        std::string spec = option.repeatable ? "*" : "(" + joined(option.names, " ") + ")";
+        std::string spec = option.repeatable ? "*" : glued({"(", joined(option.names, " "), ")"});
         spec += name;
         if (valued) spec += name.starts_with("--") ? "=" : "+";
-        spec += "[" + escaped(option.description) + "]";
+        spec += glued({"[", escaped(option.description), "]"});
         if (valued)
-            spec += ":" + escaped(option.value.shown) + ":" + action(option.value, function);
+            spec += glued({":", escaped(option.value.shown), ":", action(option.value, function)});
         out << "        " << quoted(spec) << '\n';
     }
 }
@@ -135,7 +135,7 @@ void write_families(std::ostream& out, const Command& command, const std::string
 }  // namespace
 
 std::string zsh_completion(const Command& command) {
-    const std::string function = "_" + identifier(command.name);
+    const std::string function = function_prefix(command.name);
     std::ostringstream out;
     out << "#compdef " << command.name << "\n\n"
         << "# Made from the options of " << command.name << ", as --help prints them.\n\n";

@@ -1,12 +1,15 @@
-#include "tools/manual/shell_text.hpp"
-
-#include <algorithm>
+#include "tools/manual/text_pieces.hpp"
 
 namespace asv::tools::manual {
 
-std::string identifier(std::string name) {
-    std::ranges::replace(name, '-', '_');
-    return name;
+std::string glued(std::initializer_list<std::string_view> parts) {
+    std::string text;
+    for (const std::string_view part : parts) text += part;
+    return text;
+}
+
+std::string function_prefix(const std::string& program) {
+    return glued({"_", replaced(program, "-", "_")});
 }
 
 std::string joined(const std::vector<std::string>& words, const std::string& between) {
@@ -22,11 +25,11 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 }
 
 std::string quoted(const std::string& text) {
-    return "'" + replaced(text, "'", "'\\''") + "'";
+    return glued({"'", replaced(text, "'", "'\\''"), "'"});
 }
 
 std::string quoted_for_fish(const std::string& text) {
-    return "'" + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + "'";
+    return glued({"'", replaced(replaced(text, "\\", "\\\\"), "'", "\\'"), "'"});
 }
 
 std::vector<std::string> without_dots(std::vector<std::string> endings) {

@@ -1,14 +1,20 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
-/// Pieces of text that the completions of all shells are made of.
+/// Pieces of text that manual pages and completions are made of.
 
 namespace asv::tools::manual {
 
-/// "asv-solve" as a part of the name of a function: "asv_solve".
-std::string identifier(std::string name);
+/// The parts behind each other. (GCC 12 warns falsely of a short literal + a string that a function
+/// returns.)
+std::string glued(std::initializer_list<std::string_view> parts);
+
+/// What names of functions for a program begin with: "_asv_solve".
+std::string function_prefix(const std::string& program);
 
 /// The words with something between them.
 std::string joined(const std::vector<std::string>& words, const std::string& between);
