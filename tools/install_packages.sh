@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|python|package|
-# package_test]. "build" is what the libraries and programs need, "test" adds what the tests need, "ci"
-# the second compiler as well; "python" is "build" and what the Python module and its tests need;
-# "package" is "build" and what makes Debian packages, "package_test" what tries them as well.
+# package_test|site]. "build" is what the libraries and programs need, "test" adds what the tests need,
+# "ci" the second compiler as well; "python" is "build" and what the Python module and its tests need;
+# "package" is "build" and what makes Debian packages, "package_test" what tries them as well; "site" is
+# what tools/site.sh needs, with what it takes to configure the project.
 set -euo pipefail
 
 build_packages=(
@@ -22,6 +23,10 @@ test_packages=(
     libbenchmark-dev               # benchmarks
     clang-format universal-ctags   # the form and the sizes of the sources
     gdb                            # the walk through the program
+)
+manual_packages=(
+    bash-completion zsh fish       # shells that complete
+    mandoc groff                   # what finds faults in manual pages
 )
 ci_packages=(
     clang                          # a second compiler
@@ -43,6 +48,11 @@ package_test_packages=(
     qemu-user                      # an old processor
 )
 
+site_packages=(
+    python3-sphinx python3-myst-parser furo # pages
+    doxygen python3-breathe                 # the reference of the public headers
+)
+
 what=${1:-build}
 packages=("${build_packages[@]}")
 case "$what" in
@@ -50,9 +60,10 @@ case "$what" in
     package) packages+=("${package_packages[@]}") ;;
     package_test) packages+=("${package_packages[@]}" "${package_test_packages[@]}") ;;
     python) packages+=("${python_packages[@]}") ;;
+    site) packages+=("${site_packages[@]}") ;;
 esac
 if [ "$what" = test ] || [ "$what" = ci ]; then
-    packages+=("${test_packages[@]}")
+    packages+=("${test_packages[@]}" "${manual_packages[@]}")
     # A browser to open the player in, and what drives it; other sources of node serve as well.
     command -v chromium > /dev/null || packages+=(chromium)
     command -v node > /dev/null || packages+=(nodejs)

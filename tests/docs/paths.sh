@@ -5,7 +5,7 @@
 # what was, CHANGELOG.md and docs/history.md, may name what is gone. Links have a test in tests/house.
 set -euo pipefail
 cd "${1:?usage: paths.sh ROOT}"
-pages=(README.md CONTRIBUTING.md docs/*.md docs/gallery/*.md testcases/README.md)
+pages=(README.md CONTRIBUTING.md docs/*.md docs/gallery/*.md docs/tutorials/*.md testcases/README.md)
 bad=0
 for page in "${pages[@]}"; do
     [ "$page" != docs/history.md ] || continue

@@ -15,6 +15,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$work/tree/build/release"
 ln -s "$programs" "$work/tree/build/release/bin"
+ln -s "$(dirname "$programs")/share" "$work/tree/build/release/share"
 for entry in docs tools tests; do ln -s "$root/$entry" "$work/tree/$entry"; done
 cp -r "$root/testcases" "$work/tree/testcases"
 

@@ -22,7 +22,7 @@ awk -v work="$work" '
     /^```/ && inside { inside = 0; close(file); next }
     /^```cpp/ { inside = 1; file = work "/" ++count; print count, FILENAME ":" FNR > (work "/places")
                 printf "" > file; next }
-    inside { print > file }' README.md CONTRIBUTING.md docs/*.md
+    inside { print > file }' README.md CONTRIBUTING.md docs/*.md docs/tutorials/*.md
 
 touch "$work/places" "$work/shown"
 while read -r number place; do

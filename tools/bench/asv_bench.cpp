@@ -47,10 +47,13 @@ struct Arguments {
 
 void add_plan_options(CLI::App& app, Arguments& arguments) {
     core::BenchmarkPlan& plan = arguments.plan;
-    app.add_option("PROBLEMS", arguments.problems, "Problem files and scenarios")->required();
+    app.add_option("PROBLEMS", arguments.problems, "Problem files and scenarios")
+        ->type_name(asv::tools::problem_file)
+        ->required();
     app.add_option("--planner", arguments.planners,
                    "\"[LABEL:] NAME [KEY=VALUE]...\": a planner with settings, see asv-solve "
                    "--list-planners; \"all\" for every planner; may be repeated")
+        ->type_name("PLANNER|all")
         ->allow_extra_args(false)
         ->capture_default_str();
     app.add_option("--seeds", plan.seeds, "Runs of each planner on each problem in each direction")
@@ -80,16 +83,22 @@ void add_plan_options(CLI::App& app, Arguments& arguments) {
 
 void add_output_options(CLI::App& app, Arguments& arguments) {
     app.add_option("--table", arguments.table, "Markdown table; - for standard output")
+        ->type_name("FILE.md")
         ->capture_default_str();
-    app.add_option("--csv", arguments.csv, "Write one line for each run as CSV");
+    app.add_option("--csv", arguments.csv, "Write one line for each run as CSV")
+        ->type_name("FILE.csv");
     app.add_option("--json", arguments.json,
-                   "Write session, summary, and all runs with their commands as JSON");
+                   "Write session, summary, and all runs with their commands as JSON")
+        ->type_name("FILE.json");
     app.add_option("--ompl-log", arguments.ompl_log,
                    "Write a text log of OMPL's benchmarks; with several problems or directions one "
-                   "for each, its name before the ending");
-    app.add_option("--database", arguments.database, "Write an SQLite database for Planner Arena");
+                   "for each, its name before the ending")
+        ->type_name("FILE.log");
+    app.add_option("--database", arguments.database, "Write an SQLite database for Planner Arena")
+        ->type_name("FILE.db|.sqlite");
     app.add_option("--plot", arguments.plots,
                    "Draw shares solved over time and costs: .svg, .png or .pdf; may be repeated")
+        ->type_name("FILE.svg|.png|.pdf")
         ->allow_extra_args(false);
     app.add_option("--theme", arguments.theme, "Colours of the plot: light or dark")
         ->check(CLI::IsMember({"light", "dark"}))

@@ -1,13 +1,35 @@
 #include "tools/common/command_line.hpp"
 
+#include <array>
 #include <cmath>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string_view>
 
 #include "io/text/parse_error.hpp"
+#include "tools/manual/manual.hpp"
 
 namespace asv::tools {
+
+namespace {
+
+/// What manual pages say of the exit codes.
+const std::array<manual::Entry, 8>& exit_codes() {
+    static const std::array<manual::Entry, 8> codes{{
+        {"0", "Done: solved; valid"},
+        {"1", "The answer is no: not solved in the time given; not valid"},
+        {"2", "Wrong usage"},
+        {"3", "An input cannot be read or understood, or its start or goal is not valid"},
+        {"4", "Proven to have no solution"},
+        {"5", "An output cannot be written"},
+        {"70", "Internal error, a bug"},
+        {"130", "Interrupted by the user, with nothing to write"},
+    }};
+    return codes;
+}
+
+}  // namespace
 
 CommandLine::CommandLine(const std::string& program, const std::string& description,
                          const std::string& example)
@@ -23,12 +45,20 @@ ExitCode CommandLine::failed(ExitCode code, const std::string& message) const {
     return code;
 }
 
+bool CommandLine::write_manual(int argc, const char* const* argv) const {
+    if (argc != 3 || std::string_view(argv[1]) != "--manual") return false;
+    manual::write(std::cout, argv[2], options_, ASV_VERSION, exit_codes());
+    return true;
+}
+
 ExitCode CommandLine::parse_and_act(int argc, const char* const* argv,
                                     const std::function<ExitCode()>& action) {
     ExitCode code = ExitCode::done;
     try {
-        options_.parse(argc, argv);
-        code = action();
+        if (!write_manual(argc, argv)) {
+            options_.parse(argc, argv);
+            code = action();
+        }
     } catch (const CLI::ParseError& error) {
         // Asking for help or the version ends here as well.
         if (error.get_exit_code() != 0) {

@@ -44,12 +44,15 @@ class CommandLine {
     /// Parses the arguments, calls the action and returns the exit code of the process. A wrong
     /// argument gives 2, io::ParseError and io::ReadError 3, io::WriteError and a standard output
     /// that cannot be written 5, anything else that is thrown 70.
+    /// `--manual man|bash|zsh|fish` alone prints the manual page or a completion; the build calls
+    /// it.
     int run(int argc, const char* const* argv, const std::function<ExitCode()>& action) noexcept;
 
     /// "FILE:LINE: warning: MESSAGE" on standard error, one line each; nothing with --quiet.
     void print(std::span<const io::Warning> warnings) const;
 
   private:
+    bool write_manual(int argc, const char* const* argv) const;
     ExitCode parse_and_act(int argc, const char* const* argv,
                            const std::function<ExitCode()>& action);
     ExitCode failed(ExitCode code, const std::string& message) const;
@@ -57,6 +60,9 @@ class CommandLine {
     CLI::App options_;
     bool quiet_ = false;
 };
+
+/// The type name of options that take problem files; tools/manual/command.hpp tells of type names.
+inline constexpr const char* problem_file = "FILE.txt|.json";
 
 /// Accepts finite numbers of at least 0; what the library offers lets NaN pass.
 CLI::Validator finite_and_not_negative();

@@ -34,7 +34,9 @@ void add_common_options(CLI::App& app, Arguments& arguments) {
         ->check(asv::tools::finite_and_not_negative())
         ->required();
     asv::tools::add_count(app, "--seed", arguments.seed, "Seed of all random draws");
-    app.add_option("-o,--output", arguments.output, "Problem file to write")->required();
+    app.add_option("-o,--output", arguments.output, "Problem file to write")
+        ->type_name("FILE.txt")
+        ->required();
     asv::tools::add_choice<core::Orientation>(app, "--orientation", chain.orientation,
                                               "Of start and goal",
                                               {{"random", core::Orientation::random},

@@ -14,8 +14,13 @@ void add_choice(CLI::App& app, const std::string& name, Value& value,
                 const std::string& description,
                 const std::vector<std::pair<std::string, Value>>& choices) {
     std::string words;
-    for (const auto& [word, meaning] : choices) words += (words.empty() ? "" : "|") + word;
+    std::string listed;
+    for (const auto& [word, meaning] : choices) {
+        words += (words.empty() ? "" : "|") + word;
+        listed += (listed.empty() ? "" : ",") + word;
+    }
     app.add_option(name, value, description)
+        ->type_name("{" + listed + "}")
         ->transform(CLI::CheckedTransformer(choices, CLI::ignore_case))
         ->default_str(choices.front().first)
         ->option_text(words + "=" + choices.front().first);

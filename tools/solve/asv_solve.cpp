@@ -44,12 +44,18 @@ struct Arguments {
 
 void add_options(CLI::App& app, Arguments& arguments) {
     core::SolveOptions& solve = arguments.solve;
-    app.add_option("PROBLEM", arguments.problem, "Problem file")->required();
-    app.add_option("SOLUTION", arguments.solution, "Solution file to write")->required();
+    app.add_option("PROBLEM", arguments.problem, "Problem file")
+        ->type_name(asv::tools::problem_file)
+        ->required();
+    app.add_option("SOLUTION", arguments.solution, "Solution file to write")
+        ->type_name("FILE.txt")
+        ->required();
     app.add_option("--planner", arguments.planner, "Planner, see --list-planners")
+        ->type_name("PLANNER")
         ->capture_default_str();
     app.add_option("--set", arguments.settings,
-                   "KEY=VALUE: a setting of the planner, see --list-planners; may be repeated")
+                   "A setting of the planner, see --list-planners; may be repeated")
+        ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     app.add_option("--seed", solve.seed, "Seed of all random draws")->capture_default_str();
     app.add_option("--time-limit", solve.time_limit, "Seconds of wall clock for everything")
@@ -63,8 +69,10 @@ void add_options(CLI::App& app, Arguments& arguments) {
     solve.threads = std::max(1U, std::thread::hardware_concurrency());
     app.add_option("--threads", solve.threads, "Threads that race; default: the processors")
         ->check(CLI::Range(1, 1024));
-    app.add_option("--stats", arguments.stats, "Write what the run found and spent as JSON");
-    app.add_option("--trees", arguments.trees, "Write the search trees as JSON");
+    app.add_option("--stats", arguments.stats, "Write what the run found and spent as JSON")
+        ->type_name("FILE.json");
+    app.add_option("--trees", arguments.trees, "Write the search trees as JSON")
+        ->type_name("FILE.json");
     app.add_flag("--reverse", solve.reverse,
                  "Plan from goal to start; the file still leads from start to goal");
     CLI::Option* markdown =

@@ -29,15 +29,19 @@ struct Arguments {
 };
 
 void add_options(CLI::App& app, Arguments& arguments) {
-    app.add_option("PROBLEM", arguments.problem, "Problem file")->required();
+    app.add_option("PROBLEM", arguments.problem, "Problem file")
+        ->type_name(asv::tools::problem_file)
+        ->required();
     app.add_option("SOLUTION", arguments.solution,
-                   "Solution file; without it the problem's start and goal are checked");
+                   "Solution file; without it the problem's start and goal are checked")
+        ->type_name("FILE.txt");
     app.add_option("--tolerance", arguments.options.tolerance, "How lenient every requirement is")
         ->check(asv::tools::finite_and_not_negative())
         ->capture_default_str();
     app.add_flag("--continuous", arguments.options.continuous,
                  "Also certify the motion between the primitive steps");
-    app.add_option("--json", arguments.json, "Write all results to this file as JSON");
+    app.add_option("--json", arguments.json, "Write all results to this file as JSON")
+        ->type_name("FILE.json");
     app.add_flag("--verbose", arguments.options.list_offenders, "List every violation");
 }
 

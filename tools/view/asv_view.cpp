@@ -42,13 +42,17 @@ const std::map<std::string, Kind> kinds{
 void add_options(CLI::App& app, Arguments& arguments) {
     app.add_option("FILES", arguments.inputs,
                    "PROBLEM [SOLUTION]; with --gallery any number of problem files and folders")
+        ->type_name(asv::tools::problem_file)
         ->required();
     app.add_option("-o,--output", arguments.outputs,
                    "File to write: .svg, .png, .pdf, or .html for the player; several -o allowed")
+        ->type_name("FILE.svg|.png|.pdf|.html")
         ->allow_extra_args(false);
-    app.add_option("--trees", arguments.trees, "Search trees, as asv-solve --trees writes them");
+    app.add_option("--trees", arguments.trees, "Search trees, as asv-solve --trees writes them")
+        ->type_name("FILE.json");
     app.add_option("--stats", arguments.stats,
-                   "Show the planner, and take the lower bound, from a file of asv-solve --stats");
+                   "Show the planner, and take the lower bound, from a file of asv-solve --stats")
+        ->type_name("FILE.json");
     app.add_option("--bound", arguments.bound,
                    "Show this lower bound of the cost instead of computing one")
         ->check(asv::tools::finite_and_not_negative());
@@ -57,10 +61,12 @@ void add_options(CLI::App& app, Arguments& arguments) {
         ->check(CLI::IsMember({"light", "dark"}))
         ->capture_default_str();
     app.add_option("--gallery", arguments.gallery,
-                   "Write pictures and players of all FILES and an index.html to this folder");
+                   "Write pictures and players of all FILES and an index.html to this folder")
+        ->type_name("FOLDER");
     app.add_option("--solutions", arguments.solutions,
                    "With --gallery: where NAME.solution.txt, NAME.trees.json and NAME.stats.json "
-                   "are, if not beside the problems");
+                   "are, if not beside the problems")
+        ->type_name("FOLDER");
 }
 
 Kind kind_of(const path& file) {
