@@ -47,7 +47,6 @@ package_test_packages=(
     mmdebstrap                     # a Debian with nothing in it
     qemu-user                      # an old processor
 )
-
 site_packages=(
     python3-sphinx python3-myst-parser furo # pages
     doxygen python3-breathe                 # the reference of the public headers
