@@ -1,10 +1,14 @@
 """What the tests share."""
 
+import os
 from pathlib import Path
 
 import pytest
 
 import asv
+
+# Programs that tests start from other folders import the same module.
+os.environ["PYTHONPATH"] = str(Path(asv.__file__).resolve().parents[1])
 
 ROOT = Path(__file__).resolve().parents[2]
 
