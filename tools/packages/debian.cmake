@@ -69,6 +69,7 @@ if(BUILD_SHARED_LIBS)
   list(TRANSFORM parts APPEND _runtime OUTPUT_VARIABLE runtime_parts)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
   set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/libraries/triggers)
   set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY "=")
   asv_debian_package(runtime ${runtime_package} SECTION libs COMPONENTS ${runtime_parts}
     SUMMARY "planner for chains of ASVs joined by brooms - shared libraries"
