@@ -3,6 +3,7 @@
 #   - programs of strangers build and run with them, by CMake and by pkg-config, in a prefix that was moved;
 #   - each has the project's version in its soname, and offers no names but the project's;
 #   - asv-solve with them writes the same bytes as PROGRAMS/asv-solve, which is linked statically.
+#   - as Debian packages, programs and development files depend on the package of the libraries.
 # What is tested is how things are linked, so nothing is optimised, which is quicker to build; answers
 # do not depend on it.
 set -euo pipefail
@@ -51,6 +52,14 @@ for program in bench generate solve validate view; do
     ! grep -q 'not found' "$build/log" || fail "asv-$program: $(grep 'not found' "$build/log")"
     grep -q "$prefix" "$build/log" || fail "asv-$program does not use the libraries of its prefix"
 done
+
+if command -v dpkg-shlibdeps > /dev/null && command -v chrpath > /dev/null; then
+    (cd "$build" && cpack -B "$work/packages" > "$build/log" 2>&1) || { tail "$build/log"; exit 1; }
+    for package in asv-brooms libasv-dev; do
+        dpkg-deb --field "$work/packages/$package"_*.deb Depends | grep -q "libasv$version (= $version-1)" ||
+            fail "$package does not depend on libasv$version"
+    done
+fi
 rm -rf "$work"
 [ "$failed" -ne 0 ] || echo "shared libraries: linked, moved, the same bytes; they offer the project's names alone"
 exit "$failed"

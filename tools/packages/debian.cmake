@@ -60,13 +60,16 @@ if(ASV_BUILD_IO)
   list(APPEND needed_to_link pkg-config libcairo2-dev libpng-dev libsqlite3-dev)
 endif()
 
+set(needed_to_run)
 if(BUILD_SHARED_LIBS)
   set(runtime_package libasv${PROJECT_VERSION})
-  set(needed_to_link
-    "${runtime_package} (= ${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+  # What is made in the same build is unknown to Debian, so its name is given.
+  set(needed_to_run "${runtime_package} (= ${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+  set(needed_to_link ${needed_to_run})
   list(TRANSFORM parts APPEND _runtime OUTPUT_VARIABLE runtime_parts)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
   set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/libraries/triggers)
   set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY "=")
   asv_debian_package(runtime ${runtime_package} SECTION libs COMPONENTS ${runtime_parts}
     SUMMARY "planner for chains of ASVs joined by brooms - shared libraries"
@@ -77,7 +80,7 @@ asv_debian_package(development libasv-dev SECTION libdevel COMPONENTS ${parts} D
   DESCRIPTION "${about}These are headers, libraries, and the files by which CMake and
 pkg-config find them.")
 if(ASV_BUILD_TOOLS)
-  asv_debian_package(programs asv-brooms SECTION science
+  asv_debian_package(programs asv-brooms SECTION science DEPENDS ${needed_to_run}
     SUMMARY "planner for chains of ASVs joined by brooms - programs"
     DESCRIPTION "${about}These are the programs that solve, validate, draw, generate and compare
 problems: asv-solve, asv-validate, asv-view, asv-generate and asv-bench.")
@@ -91,7 +94,7 @@ if(ASV_BUILD_PYTHON)
     ${CMAKE_CURRENT_LIST_DIR}/python/postinst ${CMAKE_CURRENT_LIST_DIR}/python/prerm)
   math(EXPR next_minor "${minor} + 1")
   asv_debian_package(python python3-asv SECTION python
-    DEPENDS "python3 (>= 3.${minor})" "python3 (<< 3.${next_minor})" python3-numpy
+    DEPENDS "python3 (>= 3.${minor})" "python3 (<< 3.${next_minor})" python3-numpy ${needed_to_run}
     SUMMARY "planner for chains of ASVs joined by brooms - Python module"
     DESCRIPTION "${about}This is the Python module asv.")
 endif()
