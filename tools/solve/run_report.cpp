@@ -172,6 +172,8 @@ int give_up(const SolveArguments& arguments, const CutOff& at, SolveStatus statu
     end_anyway_after(time_for_readers, code);
     if (!failure.empty()) std::cerr << "asv-solve: " << failure << std::endl;
     if (!arguments.quiet) report(arguments, result);
+    if (!arguments.quiet && !arguments.trees.empty())
+        std::cerr << "asv-solve: --trees " << arguments.trees << " is left out" << std::endl;
     return code;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <iostream>
 #include <sstream>
 
@@ -29,8 +30,9 @@ void warn_of_many_steps(const SolveArguments& arguments, const io::ProblemFile& 
     if (!(steps > many_steps)) return;
     std::ostringstream text;
     text << arguments.problem << ':' << file.goal_line << ": warning: from start to goal it takes "
-         << std::fixed << std::ceil(steps) << " primitive steps or more, since none is longer than "
-         << std::defaultfloat << file.problem.requirements.max_step
+         << std::fixed << std::setprecision(0) << std::ceil(steps)
+         << " primitive steps or more, since none is longer than " << std::defaultfloat
+         << std::setprecision(6) << file.problem.requirements.max_step
          << "; the time to write them counts toward the limit\n";
     std::cerr << text.str();
 }
