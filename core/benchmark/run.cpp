@@ -4,9 +4,10 @@
 #include <exception>
 #include <mutex>
 #include <stdexcept>
-#include <thread>
+#include <stop_token>
 #include <tuple>
 
+#include "core/solve/stages/in_threads.hpp"
 #include "core/validation/validate.hpp"
 
 namespace asv::core {
@@ -120,12 +121,7 @@ BenchmarkRun run_once(const BenchmarkPlan& plan, const RunPlace& place,
 std::vector<BenchmarkRun> run_benchmark(const BenchmarkPlan& plan, const BenchmarkWatch& watch) {
     require_runnable(plan);
     Queue queue(plan, watch);
-    {
-        std::vector<std::jthread> helpers;
-        for (std::size_t job = 1; job < plan.jobs; ++job)
-            helpers.emplace_back([&queue] { queue.work(); });
-        queue.work();
-    }
+    in_threads(plan.jobs, std::stop_source(), [&queue](std::size_t /*job*/) { queue.work(); });
     return queue.results();
 }
 

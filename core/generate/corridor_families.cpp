@@ -53,7 +53,7 @@ double PassageHeight::value(std::size_t asv_count, const Requirements& requireme
     }
     require_range("height-factor", factor, 0.05, 50.0);
     const double height = factor * min_flat_height(asv_count, requirements);
-    require_range("height", height, 0.001, 0.5);
+    require_derived(asv_count, "a corridor", "high", height, 0.001, 0.5);
     return height;
 }
 

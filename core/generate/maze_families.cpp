@@ -103,9 +103,13 @@ Box leg_beginning(const Point& from, const Point& to, double way) {
 }  // namespace
 
 double WayWidth::value(std::size_t asv_count, const Requirements& requirements) const {
-    if (!absolute) require_range("way-factor", factor, 0.1, 20.0);
-    const double width = absolute ? *absolute : factor * round_diameter(asv_count, requirements);
-    require_range("way", width, 0.005, 0.9);
+    if (absolute) {
+        require_range("way", *absolute, 0.005, 0.9);
+        return *absolute;
+    }
+    require_range("way-factor", factor, 0.1, 20.0);
+    const double width = factor * round_diameter(asv_count, requirements);
+    require_derived(asv_count, "a way", "wide", width, 0.005, 0.9);
     return width;
 }
 

@@ -11,6 +11,8 @@ namespace {
 
 /// A step may fall short of the limit by this share of it: far above the rounding of positions.
 constexpr double shortfall = 1e-9;
+/// Some half a millisecond of work.
+constexpr std::size_t positions_between_looks = 1000;
 
 /// Walks along the rows; a place is a way point's index plus a fraction of the motion behind it.
 class Walk {
@@ -28,7 +30,9 @@ class Walk {
           state_(problem.start),
           path_(problem.asv_count()) {}
 
-    Path run() {
+    /// None when the deadline comes first.
+    std::optional<Path> run(Clock::time_point deadline) {
+        std::size_t placed = 0;  // positions since the last look at the clock
         path_.push_back(state_);
         double place = 0;
         double stride = 0.1;
@@ -40,6 +44,10 @@ class Walk {
             place = next;
             stand_at(place);
             path_.push_back(state_);
+            placed += state_.size();
+            if (placed < positions_between_looks) continue;
+            placed = 0;
+            if (Clock::now() >= deadline) return std::nullopt;
         }
         return std::move(path_);
     }
@@ -136,7 +144,12 @@ class Walk {
 }  // namespace
 
 Path primitive_steps(const Problem& problem, const Configurations& rows, MotionChecker& checker) {
-    return Walk(problem, rows, checker).run();
+    return *primitive_steps_before(Clock::time_point::max(), problem, rows, checker);
+}
+
+std::optional<Path> primitive_steps_before(Clock::time_point deadline, const Problem& problem,
+                                           const Configurations& rows, MotionChecker& checker) {
+    return Walk(problem, rows, checker).run(deadline);
 }
 
 }  // namespace asv::core

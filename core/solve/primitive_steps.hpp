@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
+
 #include "core/model/path.hpp"
 #include "core/model/problem.hpp"
+#include "core/search/limits.hpp"
 #include "core/search/search_result.hpp"
 #include "core/space/proof/motion_checker.hpp"
 
@@ -15,5 +18,9 @@ namespace asv::core {
 /// Precondition: rows lead from the start to the goal of the problem by proven motions of the
 /// checker's chain, which belongs to the problem.
 Path primitive_steps(const Problem& problem, const Configurations& rows, MotionChecker& checker);
+
+/// The same; none when the deadline comes first.
+std::optional<Path> primitive_steps_before(Clock::time_point deadline, const Problem& problem,
+                                           const Configurations& rows, MotionChecker& checker);
 
 }  // namespace asv::core

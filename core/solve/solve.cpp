@@ -1,6 +1,7 @@
 #include "core/solve/solve.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -19,14 +20,21 @@ namespace {
 
 /// Seconds to keep for turning a path into steps, checking and writing it: some 5 sides of the
 /// field for each ASV, in steps of the greatest length, at thrice the half microsecond that each
-/// position takes.
-double time_to_finish(const Problem& problem, double time_limit) {
+/// position takes; and for all threads to notice that they have to end.
+double time_to_finish(const Problem& problem, const SolveOptions& options) {
     const Box window = planning_window(problem);
     const double side = std::max(window.high.x - window.low.x, window.high.y - window.low.y);
     const double positions =
         5 * side / problem.requirements.max_step * static_cast<double>(problem.asv_count());
     const auto obstacles = static_cast<double>(problem.obstacles.size());
-    return std::min(0.015 + 1.5e-6 * positions + 4e-6 * obstacles, 0.5 * time_limit);
+    const auto threads = static_cast<double>(options.threads);
+    return std::min(0.015 + 1.5e-6 * positions + 4e-6 * obstacles + 2e-4 * threads,
+                    0.5 * options.time_limit);
+}
+
+/// Seconds to write a path as text.
+double time_to_write(const Path& path) {
+    return 0.002 + 3e-7 * static_cast<double>(path.size() * path.asv_count());
 }
 
 SolveResult infeasible(std::string reason) {
@@ -49,6 +57,35 @@ Solution checked_solution(const Problem& problem, Path path) {
     return solution;
 }
 
+/// The last cost of the history is that of the solution, which differs a little from that of the
+/// configurations it was made of; no earlier one is below it.
+void note_cost(double cost, double elapsed, SolveStatistics& statistics) {
+    statistics.cost = cost;
+    statistics.cost_first = std::max(statistics.cost_first, cost);
+    auto& history = statistics.cost_history;
+    for (auto& entry : history) entry.second = std::max(entry.second, cost);
+    const auto same = [](const auto& a, const auto& b) { return !(b.second < a.second); };
+    history.erase(std::unique(history.begin(), history.end(), same), history.end());
+    if (history.empty() || history.back().second > cost) history.emplace_back(elapsed, cost);
+}
+
+/// Improves the first path, turns it into steps and checks them.
+void finish(const SolveCall& call, const RaceResult& first, SolveResult& result) {
+    const Configurations best = improve_path(call, first, result.statistics);
+    const std::optional<Path> steps = call.solver.steps(best, call.clock.moment_before_end(0));
+    if (!steps) {
+        result.status = SolveStatus::timeout;
+        result.reason = "a path was found after " +
+                        std::to_string(result.statistics.time_to_first) +
+                        " s, but the time is up before it is turned into primitive steps";
+        return;
+    }
+    result.solution = checked_solution(call.problem, call.frame.path_back(*steps));
+    result.status = SolveStatus::solved;
+    note_cost(result.solution->cost, call.clock.elapsed(), result.statistics);
+    find_bounds(call, time_to_write(result.solution->path), result.statistics);
+}
+
 /// Searches, improves and checks.
 void plan(const SolveCall& call, SolveResult& result) {
     const RaceResult first = race_for_first_path(call, result);
@@ -60,12 +97,7 @@ void plan(const SolveCall& call, SolveResult& result) {
         result.status = stopped ? SolveStatus::interrupted : SolveStatus::timeout;
         result.reason = "no path found: " + std::string(name(first.failure));
     } else {
-        const Configurations best = improve_path(call, first, result.statistics);
-        const Path steps = call.solver.steps(best);
-        result.solution = checked_solution(call.problem, call.frame.path_back(steps));
-        result.status = SolveStatus::solved;
-        result.statistics.cost = result.solution->cost;
-        find_bounds(call, result.statistics);
+        finish(call, first, result);
     }
 }
 
@@ -84,7 +116,7 @@ SolveResult solve(const Problem& problem, const SolveOptions& options) {
     const PlanningFrame frame(problem, options.reverse);
     const auto solver = make_body_solver(frame.problem(), options.planner);
     SolveResult result;
-    const auto deadline = clock.moment_before_end(time_to_finish(problem, options.time_limit));
+    const auto deadline = clock.moment_before_end(time_to_finish(problem, options));
     plan({problem, options, clock, frame, *solver, deadline}, result);
     result.statistics.time_total = clock.elapsed();
     return result;

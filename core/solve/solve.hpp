@@ -51,6 +51,8 @@ struct SolveOptions {
     std::stop_token stop = {};
     /// Called from the thread of the first search, some ten times a second.
     std::function<void(const SolveProgress&)> on_progress = {};
+    /// Called once there is a path, by the thread that has found it, with the seconds that took.
+    std::function<void(double)> on_path = {};
 };
 
 /// A requirement that the start or the goal of a problem violates.

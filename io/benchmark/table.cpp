@@ -45,7 +45,8 @@ std::string heading(const BenchmarkReport& report) {
         text += " Interrupted: " + std::to_string(report.runs.size()) + " of " +
                 std::to_string(core::run_count(plan)) + " runs.";
     text +=
-        "\n\nTimes are to the first path, of the solved runs. 1 u is the time of 10^6 scalar "
+        "\n\nTimes are to the first path, of the solved runs: a run that is not solved counts in "
+        "no column but the second, so compare that one first. 1 u is the time of 10^6 scalar "
         "state checks of 7 ASVs in this session: " +
         short_number(1000 * session.unit()) + " ms (" + short_number(1000 * session.unit_before) +
         " before the runs, " + short_number(1000 * session.unit_after) +

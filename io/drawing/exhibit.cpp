@@ -4,25 +4,13 @@
 #include <array>
 #include <cstdio>
 
-#include <nlohmann/json.hpp>
+#include "io/text/valid_text.hpp"
 
 namespace asv::io {
 
 namespace {
 
 using core::CheckResult;
-
-/// File names may hold any bytes; pictures and pages can show valid UTF-8 without controls only.
-std::string printable(const std::string& text) {
-    using Json = nlohmann::json;
-    const std::string valid =
-        Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
-    std::string result = valid;
-    std::replace_if(
-        result.begin(), result.end(),
-        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
-    return result;
-}
 
 core::ValidationReport judge(const ExhibitInput& input) {
     if (input.solution) {
@@ -80,8 +68,8 @@ Exhibit make_exhibit(ExhibitInput input) {
         exhibit.tightest_state = find_tightest(exhibit.measures);
     }
     static_cast<ExhibitInput&>(exhibit) = std::move(input);
-    exhibit.name = printable(exhibit.name);
-    exhibit.planner = printable(exhibit.planner);
+    exhibit.name = valid_text(exhibit.name);
+    exhibit.planner = valid_text(exhibit.planner);
     return exhibit;
 }
 
@@ -118,7 +106,8 @@ std::string facts(const Exhibit& exhibit) {
     if (exhibit.solution) text += dot + "cost " + fixed(exhibit.solution->cost, 4);
     if (exhibit.lower_bound) {
         text += dot + "lower bound " + fixed(*exhibit.lower_bound, 4);
-        if (exhibit.solution && *exhibit.lower_bound > 0) {
+        // What is not a path cannot be near the best one.
+        if (exhibit.solution && exhibit.report.valid() && *exhibit.lower_bound > 0) {
             text += " (ratio " + fixed(exhibit.solution->cost / *exhibit.lower_bound, 3) + ")";
         }
     }

@@ -1,11 +1,13 @@
 #include "io/solution/trees_file.hpp"
 
+#include <charconv>
 #include <limits>
 
 #include <nlohmann/json.hpp>
 
 #include "io/text/atomic_file.hpp"
 #include "io/text/json_document.hpp"
+#include "io/text/number_text.hpp"
 
 namespace asv::io {
 
@@ -62,6 +64,29 @@ std::vector<std::array<std::size_t, 2>> read_edges(const JsonDocument& document,
     return result;
 }
 
+std::string quoted(const std::string& text) {
+    return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+template <class Whole>
+void append_whole(std::string& text, Whole value) {
+    std::array<char, 24> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    text.append(digits.data(), end);
+}
+
+/// "[a,b]", each element put down by append.
+template <class List, class Append>
+void append_list(std::string& text, const List& list, const Append& append) {
+    char separator = '[';
+    for (const auto& element : list) {
+        text += separator;
+        append(element);
+        separator = ',';
+    }
+    text += list.empty() ? "[]" : "]";
+}
+
 }  // namespace
 
 SearchTrees parse_trees(std::string_view text, const std::string& name) {
@@ -84,18 +109,36 @@ SearchTrees read_trees(const std::filesystem::path& file) {
 }
 
 std::string format_trees(const SearchTrees& trees) {
-    json document = {{"version", format_version},
-                     {"planner", trees.planner},
-                     {"asv_count", trees.asv_count},
-                     {"trees", json::array()}};
+    // Put together by hand: there may be millions of numbers, and the time limit is near.
+    std::string text = "{\"version\":" + std::to_string(format_version) +
+                       ",\"planner\":" + quoted(trees.planner) +
+                       ",\"asv_count\":" + std::to_string(trees.asv_count) + ",\"trees\":[";
     for (const SearchTree& tree : trees.trees) {
-        json points = json::array();
-        for (const geometry::Point& point : tree.points) points.push_back({point.x, point.y});
-        document["trees"].push_back(
-            {{"root", tree.root}, {"points", std::move(points)}, {"parents", tree.parents}});
+        text += std::string(&tree == &trees.trees.front() ? "" : ",") +
+                "{\"root\":" + quoted(tree.root) + ",\"points\":";
+        append_list(text, tree.points, [&](const geometry::Point& point) {
+            text += '[';
+            append_number(text, point.x);
+            text += ',';
+            append_number(text, point.y);
+            text += ']';
+        });
+        text += ",\"parents\":";
+        append_list(text, tree.parents, [&](std::int64_t parent) { append_whole(text, parent); });
+        text += '}';
     }
-    if (!trees.edges.empty()) document["edges"] = trees.edges;
-    return document.dump() + "\n";
+    text += ']';
+    if (!trees.edges.empty()) {
+        text += ",\"edges\":";
+        append_list(text, trees.edges, [&](const std::array<std::size_t, 2>& edge) {
+            text += '[';
+            append_whole(text, edge[0]);
+            text += ',';
+            append_whole(text, edge[1]);
+            text += ']';
+        });
+    }
+    return text + "}\n";
 }
 
 void write_trees(const std::filesystem::path& file, const SearchTrees& trees) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <string>
 #include <thread>
@@ -22,6 +23,7 @@
 #include "tools/bench/run_launcher.hpp"
 #include "tools/common/command_line.hpp"
 #include "tools/common/interrupt.hpp"
+#include "tools/common/number_options.hpp"
 #include "tools/common/progress_line.hpp"
 
 namespace {
@@ -45,6 +47,8 @@ struct Arguments {
     core::BenchmarkPlan plan;
 };
 
+constexpr std::uint64_t max_seeds = 1'000'000;
+
 void add_plan_options(CLI::App& app, Arguments& arguments) {
     core::BenchmarkPlan& plan = arguments.plan;
     app.add_option("PROBLEMS", arguments.problems, "Problem files and scenarios")
@@ -57,27 +61,28 @@ void add_plan_options(CLI::App& app, Arguments& arguments) {
         ->allow_extra_args(false)
         ->capture_default_str();
     app.add_option("--seeds", plan.seeds, "Runs of each planner on each problem in each direction")
-        ->check(CLI::Range(1, 1000000))
+        ->transform(asv::tools::whole_number(1, max_seeds))
         ->capture_default_str();
     app.add_option("--first-seed", plan.first_seed, "The first seed; the others follow it")
-        ->check(asv::tools::finite_and_not_negative())
+        ->transform(
+            asv::tools::whole_number(0, std::numeric_limits<std::uint64_t>::max() - max_seeds))
         ->capture_default_str();
     app.add_option("--direction", arguments.direction, "forward, reversed (goal to start) or both")
         ->check(CLI::IsMember({"forward", "reversed", "both"}))
         ->capture_default_str();
     app.add_option("--time-limit", plan.time_limit, "Seconds of wall clock for each run")
-        ->check(asv::tools::finite_and_not_negative())
+        ->transform(asv::tools::number_from(0))
         ->capture_default_str();
     app.add_option("--optimize", plan.optimize,
                    "Improvement after the first path, in seconds of work, as in asv-solve")
-        ->check(asv::tools::finite_and_not_negative())
+        ->transform(asv::tools::number_from(0))
         ->capture_default_str();
     app.add_option("--threads", plan.threads, "Threads of each run")
-        ->check(CLI::Range(1, 1024))
+        ->transform(asv::tools::whole_number(1, asv::tools::max_threads))
         ->capture_default_str();
     app.add_option("--jobs", plan.jobs,
                    "Runs side by side: sooner done, but their times are spoilt")
-        ->check(CLI::Range(1, 1024))
+        ->transform(asv::tools::whole_number(1, asv::tools::max_threads))
         ->capture_default_str();
 }
 
@@ -137,15 +142,23 @@ std::vector<Output> files_of(const Arguments& arguments, const io::BenchmarkRepo
     add(arguments.csv, io::runs_csv);
     add(arguments.json, io::runs_json);
     add(arguments.database, io::arena_database);
-    const io::Theme theme = arguments.theme == "dark" ? io::Theme::dark : io::Theme::light;
-    for (const path& file : arguments.plots)
-        outputs.push_back({file, io::draw_benchmark(report, format_of(file), theme)});
     if (arguments.ompl_log.empty()) return outputs;
     const bool several = report.plan.problems.size() * report.plan.directions.size() > 1;
     for (const io::Experiment& experiment : io::experiments(report))
         outputs.push_back({io::ompl_log_file(arguments.ompl_log, experiment, several),
                            io::ompl_log(report, experiment)});
     return outputs;
+}
+
+/// Writes what the runs came to, and only then draws it: a plot that fails must not cost the
+/// results.
+void write_results(const Arguments& arguments, const io::BenchmarkReport& report) {
+    for (const Output& output : files_of(arguments, report))
+        io::write_file(output.file, output.content);
+    if (arguments.table == "-") std::cout << io::markdown_table(report) << std::flush;
+    const io::Theme theme = arguments.theme == "dark" ? io::Theme::dark : io::Theme::light;
+    for (const path& file : arguments.plots)
+        io::write_file(file, io::draw_benchmark(report, format_of(file), theme));
 }
 
 /// Finds out before an hour of runs that their results have no place to go.
@@ -193,8 +206,9 @@ class Progress {
     std::size_t done_ = 0;
 };
 
-std::vector<core::BenchmarkRun> run_all(const core::BenchmarkPlan& plan, bool quiet) {
+std::vector<core::BenchmarkRun> run_all(core::BenchmarkPlan& plan, bool quiet) {
     asv::tools::RunLauncher launcher(plan);
+    plan.jobs = launcher.jobs();
     const asv::tools::InterruptWatch interrupt;
     Progress progress(plan, !quiet);
     core::BenchmarkWatch watch;
@@ -202,8 +216,7 @@ std::vector<core::BenchmarkRun> run_all(const core::BenchmarkPlan& plan, bool qu
     watch.after = [&](const core::BenchmarkRun&) { progress.end(); };
     watch.perform = [&](const core::BenchmarkPlan&, const core::RunPlace& place,
                         const std::stop_token& abort) { return launcher.run(place, abort); };
-    watch.enough = interrupt.token();
-    watch.abort = interrupt.again();
+    watch.abort = interrupt.token();
     return core::run_benchmark(plan, watch);
 }
 
@@ -220,6 +233,7 @@ ExitCode bench(const CommandLine& command_line, Arguments& arguments) {
     if (!asv::tools::read_problems(command_line, arguments.problems, plan.problems))
         return ExitCode::bad_input;
     asv::tools::require_usable(plan);
+    asv::tools::warn_of_idle_settings(command_line, plan);
     require_places(arguments);
 
     io::BenchmarkReport report;
@@ -234,30 +248,34 @@ ExitCode bench(const CommandLine& command_line, Arguments& arguments) {
         std::cerr << "asv-bench: interrupted before a run had ended; nothing was written\n";
         return ExitCode::interrupted;
     }
-    report.session.unit_after = core::seconds_per_million_checks();
+    // Who has interrupted the runs does not want to wait for another measurement.
+    report.session.unit_after = report.runs.size() < core::run_count(plan)
+                                    ? report.session.unit_before
+                                    : core::seconds_per_million_checks();
     report.session.total = std::chrono::duration<double>(core::Clock::now() - begun).count();
     report.plan = std::move(plan);
 
-    for (const Output& output : files_of(arguments, report))
-        io::write_file(output.file, output.content);
-    if (arguments.table == "-") std::cout << io::markdown_table(report);
+    write_results(arguments, report);
     return ExitCode::done;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     CommandLine command_line(
         "asv-bench",
         "Runs planners on problems with many seeds, each run as asv-solve would and in a process "
         "of its own, checks every "
         "solution once more, and tells how it went. Runs that find no path are results: the exit "
-        "code is 0 all the same. Ctrl-C ends it after the current run, pressed twice at once; what "
-        "there is is written.",
+        "code is 0 all the same. Ctrl-C ends it at once; the results of the runs that have ended "
+        "are "
+        "written.",
         "asv-bench testcases/3ASV.txt testcases/7ASV.txt --planner auto --planner \"swaps: "
         "rrt-connect swap-limiter=on\" --direction both --csv runs.csv");
     Arguments arguments;
     add_plan_options(command_line.options(), arguments);
     add_output_options(command_line.options(), arguments);
     return command_line.run(argc, argv, [&] { return bench(command_line, arguments); });
+} catch (...) {
+    return asv::tools::report_failed_start("asv-bench");
 }

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "core/solve/idle_settings.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/text/parse_error.hpp"
 
@@ -123,6 +124,19 @@ void require_usable(const core::BenchmarkPlan& plan) {
                 core::require_usable(planner.planner, problem.problem.body_kind());
             } catch (const std::invalid_argument& error) {
                 throw UsageError(problem.name + ", " + planner.label + ": " + error.what());
+            }
+}
+
+void warn_of_idle_settings(const CommandLine& command_line, const core::BenchmarkPlan& plan) {
+    if (command_line.quiet()) return;
+    for (const core::BenchmarkProblem& problem : plan.problems)
+        for (const core::BenchmarkPlanner& planner : plan.planners)
+            for (const auto& [key, value] : planner.settings) {
+                const std::string why =
+                    core::why_without_effect(planner.planner, key, problem.problem.body_kind());
+                if (!why.empty())
+                    std::cerr << "asv-bench: warning: " << planner.label << " on " << problem.name
+                              << ": " << key << "=" << value << " has no effect: " << why << '\n';
             }
 }
 

@@ -29,4 +29,8 @@ bool read_problems(const CommandLine& command_line, const std::vector<std::strin
 /// Throws UsageError when a planner's settings do not suit the body of a problem.
 void require_usable(const core::BenchmarkPlan& plan);
 
+/// A line on standard error for each setting that changes nothing for the body of a problem, or as
+/// the other settings are; nothing with --quiet.
+void warn_of_idle_settings(const CommandLine& command_line, const core::BenchmarkPlan& plan);
+
 }  // namespace asv::tools

@@ -6,10 +6,10 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
+#include <new>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <type_traits>
 #include <utility>
 
 #include <poll.h>
@@ -20,90 +20,13 @@
 
 #include "io/text/write_all.hpp"
 #include "tools/bench/machine.hpp"
+#include "tools/bench/run_bytes.hpp"
 
 namespace asv::tools {
 
 namespace {
 
 using core::BenchmarkRun;
-using History = std::vector<std::pair<double, double>>;
-
-/// Bytes of values one after the other: both ends are one program.
-class Packer {
-  public:
-    template <class Value>
-    requires std::is_trivially_copyable_v<Value>
-    void operator()(const Value& value) {
-        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
-    }
-    void operator()(const std::string& text) {
-        (*this)(text.size());
-        bytes_ += text;
-    }
-    void operator()(const History& history) {
-        (*this)(history.size());
-        for (const auto& [time, cost] : history) {
-            (*this)(time);
-            (*this)(cost);
-        }
-    }
-    const std::string& bytes() const { return bytes_; }
-
-  private:
-    std::string bytes_;
-};
-
-class Unpacker {
-  public:
-    explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}
-
-    template <class Value>
-    requires std::is_trivially_copyable_v<Value>
-    void operator()(Value& value) { std::memcpy(&value, take(sizeof value).data(), sizeof value); }
-    void operator()(std::string& text) { text = take(size()); }
-    void operator()(History& history) {
-        history.resize(size());
-        for (auto& [time, cost] : history) {
-            (*this)(time);
-            (*this)(cost);
-        }
-    }
-
-  private:
-    std::size_t size() {
-        std::size_t count = 0;
-        (*this)(count);
-        return count;
-    }
-    std::string_view take(std::size_t count) {
-        const std::string_view taken = bytes_.substr(0, count);
-        bytes_.remove_prefix(count);
-        return taken;
-    }
-
-    std::string_view bytes_;
-};
-
-/// Everything of a run but its place, which both ends know.
-template <class Archive, class Run>
-void exchange(Archive& archive, Run& run) {
-    archive(run.status);
-    archive(run.reason);
-    archive(run.fault);
-    archive(run.primitive_steps);
-    archive(run.peak_memory_bytes);
-    auto& spent = run.spent;
-    for (auto* number : {&spent.time_to_first, &spent.time_total, &spent.cost_first, &spent.cost,
-                         &spent.cost_of_search, &spent.cost_lower_bound})
-        archive(*number);
-    for (auto* count :
-         {&spent.steps_lower_bound, &spent.tree_nodes[0], &spent.tree_nodes[1], &spent.iterations})
-        archive(*count);
-    archive(spent.state_checks);
-    archive(spent.edge_checks);
-    archive(spent.cost_history);
-}
-
 /// What comes before the bytes of a run: how its process ended, and how many bytes there are.
 struct Ending {
     int status = 0;
@@ -158,6 +81,8 @@ void follow(pid_t parent) {
     BenchmarkRun run;
     try {
         run = core::run_once(plan, place);
+    } catch (const std::bad_alloc&) {
+        run.fault = "out of memory";
     } catch (const std::exception& error) {
         run.fault = error.what();
     }
@@ -189,7 +114,7 @@ bool run_and_tell(const core::BenchmarkPlan& plan, const core::RunPlace& place, 
 
 /// Ctrl-C reaches every process of a terminal; what it means is the program's to say.
 void leave_interrupts_to_the_program() {
-    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_IGN);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
 }
 
 [[noreturn]] void be_launcher(const core::BenchmarkPlan& plan, int socket) {
@@ -207,11 +132,14 @@ void leave_interrupts_to_the_program() {
     }
 }
 
+/// Milliseconds until somebody who has asked for a stop is heard.
+constexpr int between_looks = 10;
+
 /// Waits until the launcher answers; false when a stop is requested first.
 bool wait_for_answer(int socket, const std::stop_token& abort) {
     while (!abort.stop_requested()) {
         pollfd wait{socket, POLLIN, 0};
-        if (::poll(&wait, 1, 50) > 0) return true;
+        if (::poll(&wait, 1, between_looks) > 0) return true;
     }
     return false;
 }
@@ -243,7 +171,12 @@ BenchmarkRun read_run(int socket) {
 }  // namespace
 
 RunLauncher::RunLauncher(const core::BenchmarkPlan& plan) : plan_(plan) {
-    while (idle_.size() < plan.jobs) idle_.push_back(start());
+    idle_.push_back(start());
+    try {
+        while (idle_.size() < plan.jobs) idle_.push_back(start());
+    } catch (const std::system_error&) {
+        // The system grants no more processes: those that there are have to do.
+    }
 }
 
 RunLauncher::~RunLauncher() {

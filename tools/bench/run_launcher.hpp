@@ -15,7 +15,8 @@ namespace asv::tools {
 /// those of a few milliseconds take half the time that a user sees.
 ///
 /// A process that is forked beside threads inherits their locks, which nobody opens any more. So
-/// there is one launcher for each job, forked while there are no threads; it forks the runs.
+/// there is one launcher for each job (see jobs()), forked while there are no threads; it forks the
+/// runs.
 class RunLauncher {
   public:
     /// Precondition: no thread has been started, and the plan outlives this. Throws
@@ -25,7 +26,11 @@ class RunLauncher {
     RunLauncher(const RunLauncher&) = delete;
     RunLauncher& operator=(const RunLauncher&) = delete;
 
-    /// core::run_once() in a process of its own; from as many threads at once as the plan has jobs.
+    /// Runs side by side: as many as the plan asks for, or fewer where the system grants no more
+    /// processes.
+    std::size_t jobs() const { return idle_.size(); }
+
+    /// core::run_once() in a process of its own; from as many threads at once as there are jobs.
     /// Fills in the peak memory of the run. A process that ends in any other way than by itself is
     /// a fault of the run. abort ends it.
     core::BenchmarkRun run(const core::RunPlace& place, const std::stop_token& abort);

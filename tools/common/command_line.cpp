@@ -1,13 +1,15 @@
 #include "tools/common/command_line.hpp"
 
 #include <array>
-#include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string_view>
 
 #include "io/text/parse_error.hpp"
+#include "tools/common/interrupt.hpp"
 #include "tools/manual/manual.hpp"
 
 namespace asv::tools {
@@ -28,6 +30,25 @@ const std::array<manual::Entry, 8>& exit_codes() {
     }};
     return codes;
 }
+
+/// What cannot be caught, since it is thrown before main() begins: the library for options makes
+/// objects then that need memory.
+[[noreturn]] void end_without_abort() {
+    const char* message = "internal error\n";
+    try {
+        if (std::current_exception()) throw;
+    } catch (const std::bad_alloc&) {
+        message = "out of memory\n";
+    } catch (...) {
+    }
+    std::fputs(message, stderr);
+    std::_Exit(static_cast<int>(ExitCode::internal));
+}
+
+/// Comes before all other objects of the program.
+[[gnu::init_priority(101)]] const struct LastResort {
+    LastResort() { std::set_terminate(end_without_abort); }
+} last_resort;
 
 }  // namespace
 
@@ -75,7 +96,17 @@ ExitCode CommandLine::parse_and_act(int argc, const char* const* argv,
 
 int CommandLine::run(int argc, const char* const* argv,
                      const std::function<ExitCode()>& action) noexcept {
+    try {
+        return static_cast<int>(outcome(argc, argv, action));
+    } catch (...) {
+        return report_failed_start(options_.get_name().c_str());
+    }
+}
+
+ExitCode CommandLine::outcome(int argc, const char* const* argv,
+                              const std::function<ExitCode()>& action) {
     ExitCode code = ExitCode::internal;
+    end_on_interrupt();
     try {
         code = parse_and_act(argc, argv, action);
     } catch (const UsageError& error) {
@@ -96,7 +127,7 @@ int CommandLine::run(int argc, const char* const* argv,
     } catch (...) {
         code = failed(ExitCode::internal, "internal error");
     }
-    return static_cast<int>(code);
+    return code;
 }
 
 void CommandLine::print(std::span<const io::Warning> warnings) const {
@@ -107,13 +138,17 @@ void CommandLine::print(std::span<const io::Warning> warnings) const {
     }
 }
 
-CLI::Validator finite_and_not_negative() {
-    const auto check = [](const std::string& text) -> std::string {
-        double value = 0;
-        if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0) return {};
-        return "'" + text + "' is not a finite number of at least 0";
-    };
-    return {check, ">=0"};
+int report_failed_start(const char* program) noexcept {
+    const char* message = "internal error";
+    try {
+        throw;
+    } catch (const std::bad_alloc&) {
+        message = "out of memory";
+    } catch (...) {
+    }
+    // Nothing here may need memory.
+    std::fprintf(stderr, "%s: %s\n", program, message);
+    return static_cast<int>(ExitCode::internal);
 }
 
 }  // namespace asv::tools

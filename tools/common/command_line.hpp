@@ -8,20 +8,9 @@
 #include <CLI/CLI.hpp>
 
 #include "io/problem/problem_file.hpp"
+#include "tools/common/exit_code.hpp"
 
 namespace asv::tools {
-
-/// What every program tells its caller.
-enum class ExitCode : int {
-    done = 0,           ///< solved; valid
-    no = 1,             ///< not solved in the time given; not valid
-    usage = 2,          ///< wrong arguments
-    bad_input = 3,      ///< an input cannot be read or understood, or its start or goal is invalid
-    infeasible = 4,     ///< proven to have no solution
-    bad_output = 5,     ///< an output cannot be written
-    internal = 70,      ///< a bug
-    interrupted = 130,  ///< by the user, with nothing to show
-};
 
 /// A combination of arguments that makes no sense: exit code 2.
 class UsageError : public std::runtime_error {
@@ -53,6 +42,8 @@ class CommandLine {
 
   private:
     bool write_manual(int argc, const char* const* argv) const;
+    /// run() as far as messages can be made.
+    ExitCode outcome(int argc, const char* const* argv, const std::function<ExitCode()>& action);
     ExitCode parse_and_act(int argc, const char* const* argv,
                            const std::function<ExitCode()>& action);
     ExitCode failed(ExitCode code, const std::string& message) const;
@@ -64,7 +55,8 @@ class CommandLine {
 /// The type name of options that take problem files; tools/manual/command.hpp tells of type names.
 inline constexpr const char* problem_file = "FILE.txt|.json";
 
-/// Accepts finite numbers of at least 0; what the library offers lets NaN pass.
-CLI::Validator finite_and_not_negative();
+/// For a program that fails before its command line is there, or has no memory even for a message:
+/// prints one line and returns exit code 70. Precondition: called where an exception is caught.
+int report_failed_start(const char* program) noexcept;
 
 }  // namespace asv::tools

@@ -1,5 +1,6 @@
 #include <cstdint>
 #include <iostream>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "io/problem/problem_file.hpp"
 #include "tools/common/command_line.hpp"
 #include "tools/generate/family_commands.hpp"
+#include "tools/generate/likeness.hpp"
 #include "tools/generate/option_kinds.hpp"
 
 namespace {
@@ -30,38 +32,32 @@ struct Arguments {
 
 void add_common_options(CLI::App& app, Arguments& arguments) {
     core::ChainOptions& chain = arguments.chain;
-    app.add_option("-n,--asvs", chain.asv_count, "Number of ASVs, 3 to 200")
-        ->check(asv::tools::finite_and_not_negative())
-        ->required();
-    asv::tools::add_count(app, "--seed", arguments.seed, "Seed of all random draws");
-    app.add_option("-o,--output", arguments.output, "Problem file to write")
-        ->type_name("FILE.txt")
-        ->required();
+    app.add_option("-n,--asvs", chain.asv_count, "Number of ASVs; required")
+        ->transform(asv::tools::whole_number(3, 200));
+    app.add_option("--seed", arguments.seed, "Seed of all random draws")
+        ->transform(asv::tools::whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+        ->capture_default_str();
+    app.add_option("-o,--output", arguments.output, "Problem file to write; required")
+        ->type_name("FILE.txt");
     asv::tools::add_choice<core::Orientation>(app, "--orientation", chain.orientation,
                                               "Of start and goal",
                                               {{"random", core::Orientation::random},
                                                {"cw", core::Orientation::clockwise},
                                                {"ccw", core::Orientation::counter_clockwise}});
-    app.add_option("--clearance", chain.clearance,
-                   "Least distance of start and goal to obstacles and bounds")
-        ->capture_default_str();
-    app.add_option("--area-margin", chain.area_margin,
-                   "How far start and goal are above the minimum area, as a share of it")
-        ->capture_default_str();
-    app.add_option("--least-turn", chain.min_turn,
-                   "Least turn at every ASV of start and goal, in radians")
-        ->capture_default_str();
-    app.add_option("--least-closing", chain.min_closing_side,
-                   "Least distance of the first to the last ASV of start and goal")
-        ->capture_default_str();
+    asv::tools::add_number(app, "--clearance", chain.clearance, {0, 0.1},
+                           "Least distance of start and goal to obstacles and bounds");
+    asv::tools::add_number(app, "--area-margin", chain.area_margin, {0, 0.2},
+                           "How far start and goal are above the minimum area, as a share of it");
+    asv::tools::add_number(app, "--least-turn", chain.min_turn, {0, 0.01},
+                           "Least turn at every ASV of start and goal, in radians");
+    asv::tools::add_number(app, "--least-closing", chain.min_closing_side, {0, 0.05},
+                           "Least distance of the first to the last ASV of start and goal");
     app.add_flag("--solvable", arguments.solvable,
                  "Check whether a simple path exists and write the verdict, solvable or unknown, "
                  "with all parameters to OUTPUT.json");
-    app.add_option("--attempts", arguments.attempts,
-                   "With --solvable: draw up to so many problems until one is solvable for "
-                   "certain, else keep the last")
-        ->check(CLI::Range(1, 1'000'000))
-        ->capture_default_str();
+    asv::tools::add_count(app, "--attempts", arguments.attempts, {1, 1'000'000},
+                          "With --solvable: draw up to so many problems until one is solvable for "
+                          "certain, else keep the last");
 }
 
 /// The options of the family and of the chain with the values that they were given or have anyway.
@@ -113,9 +109,31 @@ ExitCode generate(const CommandLine& command_line, const CLI::App& app, const Fa
     return ExitCode::done;
 }
 
+/// The family that was named, if all that was given is understood. Throws UsageError.
+const Family& named_family(const CLI::App& app, const std::vector<Family>& families) {
+    std::vector<std::string> names;
+    const Family* named = nullptr;
+    for (const Family& family : families) {
+        names.push_back(family.command->get_name());
+        if (family.command->parsed()) named = &family;
+    }
+    const std::vector<std::string> rest = app.remaining(true);
+    if (!named) {
+        const bool a_word = !rest.empty() && rest.front().front() != '-';
+        throw UsageError(
+            (a_word ? "'" + rest.front() + "' is no family" : "a family has to be named") +
+            "; there are " + asv::tools::listed_by_likeness(names, a_word ? rest.front() : ""));
+    }
+    if (!rest.empty()) throw UsageError(named->command->get_name() + " takes no " + rest.front());
+    for (const char* required : {"--asvs", "--output"})
+        if (app.get_option(required)->count() == 0)
+            throw UsageError(std::string(required) + " is required");
+    return *named;
+}
+
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     CommandLine command_line(
         "asv-generate",
         "Writes a random problem of a family. The same arguments and seed give the same file. "
@@ -123,13 +141,13 @@ int main(int argc, char** argv) {
         "asv-generate corridor -n 7 --height-factor 1.1 --seed 3 -o corridor-7.txt");
     Arguments arguments;
     CLI::App& app = command_line.options();
+    app.require_subcommand(0, 1)->allow_extras();
     add_common_options(app, arguments);
     const std::vector<Family> families = asv::tools::add_families(app);
-    app.require_subcommand(1);
+    // What is not understood is told in the words of this program: see named_family().
     return command_line.run(argc, argv, [&] {
-        for (const Family& family : families) {
-            if (family.command->parsed()) return generate(command_line, app, family, arguments);
-        }
-        throw UsageError("no family was named");
+        return generate(command_line, app, named_family(app, families), arguments);
     });
+} catch (...) {
+    return asv::tools::report_failed_start("asv-generate");
 }

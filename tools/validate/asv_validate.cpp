@@ -8,6 +8,7 @@
 #include "io/solution/solution_file.hpp"
 #include "io/solution/validation_file.hpp"
 #include "tools/common/command_line.hpp"
+#include "tools/common/number_options.hpp"
 
 namespace {
 
@@ -36,7 +37,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
                    "Solution file; without it the problem's start and goal are checked")
         ->type_name("FILE.txt");
     app.add_option("--tolerance", arguments.options.tolerance, "How lenient every requirement is")
-        ->check(asv::tools::finite_and_not_negative())
+        ->transform(asv::tools::number_from(0))
         ->capture_default_str();
     app.add_flag("--continuous", arguments.options.continuous,
                  "Also certify the motion between the primitive steps");
@@ -107,7 +108,7 @@ ExitCode validate_files(const CommandLine& command_line, const Arguments& argume
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     CommandLine command_line("asv-validate",
                              "Checks every requirement on a solution, one line each, or on the "
                              "start and the goal of a problem.",
@@ -115,4 +116,6 @@ int main(int argc, char** argv) {
     Arguments arguments;
     add_options(command_line.options(), arguments);
     return command_line.run(argc, argv, [&] { return validate_files(command_line, arguments); });
+} catch (...) {
+    return asv::tools::report_failed_start("asv-validate");
 }

@@ -11,6 +11,7 @@
 #include "io/player/player.hpp"
 #include "io/text/atomic_file.hpp"
 #include "tools/common/command_line.hpp"
+#include "tools/common/number_options.hpp"
 
 namespace {
 
@@ -55,7 +56,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
         ->type_name("FILE.json");
     app.add_option("--bound", arguments.bound,
                    "Show this lower bound of the cost instead of computing one")
-        ->check(asv::tools::finite_and_not_negative());
+        ->transform(asv::tools::number_from(0));
     app.add_option("--theme", arguments.theme,
                    "Colours of pictures: light or dark (the player follows its reader)")
         ->check(CLI::IsMember({"light", "dark"}))
@@ -136,7 +137,7 @@ ExitCode show_gallery(const CommandLine& command_line, const Arguments& argument
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     CommandLine command_line("asv-view",
                              "Draws a problem and its solution, makes a player of it, or lays out "
                              "a gallery of many.",
@@ -148,4 +149,6 @@ int main(int argc, char** argv) {
         return arguments.gallery.empty() ? show_one(command_line, arguments)
                                          : show_gallery(command_line, arguments);
     });
+} catch (...) {
+    return asv::tools::report_failed_start("asv-view");
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/model/path.hpp"
@@ -66,8 +67,9 @@ class BodySolver {
     virtual Improved improve(const Configurations& path, const ImprovementOrder& order,
                              Rng& rng) const = 0;
 
-    /// The path in primitive steps.
-    virtual Path steps(const Configurations& path) const = 0;
+    /// The path in primitive steps; none when the deadline comes first.
+    virtual std::optional<Path> steps(const Configurations& path,
+                                      Clock::time_point deadline) const = 0;
 
     /// Where the body is to be seen at each node of a tree: ASV 1, the tip of an arm, the point.
     virtual std::vector<Point> places(const Tree& tree) const = 0;

@@ -113,9 +113,10 @@ class ChainSolver : public BodySolver {
         return improved;
     }
 
-    Path steps(const Configurations& path) const override {
+    std::optional<Path> steps(const Configurations& path,
+                              Clock::time_point deadline) const override {
         MotionChecker checker = world_.make_checker();
-        return primitive_steps(world_.problem, path, checker);
+        return primitive_steps_before(deadline, world_.problem, path, checker);
     }
 
     std::vector<Point> places(const Tree& tree) const override {

@@ -73,9 +73,10 @@ class JointSolver : public BodySolver {
         return improved;
     }
 
-    Path steps(const Configurations& path) const override {
+    std::optional<Path> steps(const Configurations& path,
+                              Clock::time_point deadline) const override {
         MotionChecker checker = world_.make_checker();
-        return primitive_steps(world_.problem, world_.chain_rows(path), checker);
+        return primitive_steps_before(deadline, world_.problem, world_.chain_rows(path), checker);
     }
 
     std::vector<Point> places(const Tree& tree) const override {

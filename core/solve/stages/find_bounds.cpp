@@ -6,8 +6,11 @@
 
 namespace asv::core {
 
-void find_bounds(const SolveCall& call, SolveStatistics& statistics) {
-    const double left = call.clock.left();
+void find_bounds(const SolveCall& call, double reserve, SolveStatistics& statistics) {
+    // Who has asked for a stop waits for the path.
+    constexpr double patience = 0.02;
+    double left = call.clock.left() - reserve;
+    if (call.options.stop.stop_requested()) left = std::min(left, patience);
     const double preparation = 1e-3 + 1e-5 * static_cast<double>(call.problem.obstacles.size());
     if (left < preparation) return;
     // At most some quarter of the time goes into searches, since the path that was found must not

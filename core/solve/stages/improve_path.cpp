@@ -2,9 +2,9 @@
 
 #include <limits>
 #include <mutex>
-#include <thread>
-#include <vector>
+#include <stop_token>
 
+#include "core/solve/stages/in_threads.hpp"
 #include "core/solve/stages/progress_report.hpp"
 
 namespace asv::core {
@@ -21,20 +21,21 @@ constexpr std::size_t iterations_factor = 3, iterations_more = 200;
 class PathImprovement {
   public:
     PathImprovement(const SolveCall& call, const RaceResult& first, SolveStatistics& statistics)
-        : call_(call), first_(first), statistics_(statistics), report_(call) {}
+        : call_(call),
+          first_(first),
+          statistics_(statistics),
+          report_(call),
+          stop_by_caller_(call.options.stop, [this] { stop_.request_stop(); }) {}
 
     Configurations run() {
-        {
-            std::vector<std::jthread> others;
-            for (std::size_t thread = 1; thread < call_.threads(); ++thread)
-                others.emplace_back([this, thread] { improve(thread); });
-            improve(0);
-        }
+        in_threads(call_.threads(), stop_, [this](std::size_t thread) { improve(thread); });
         return std::move(best_path_);
     }
 
   private:
     void improve(std::size_t thread) {
+        // As in the race: too late to be of use.
+        if (thread > 0 && order(thread).limits.expired()) return;
         // Not the draws of the search that found the path.
         Rng rng(~call_.seed(*first_.winner + thread));
         Improved improved = call_.solver.improve(first_.path, order(thread), rng);
@@ -52,7 +53,7 @@ class PathImprovement {
         order.work = cheap_work + 1e6 * call_.options.optimize;
         order.other_paths = call_.options.optimize > 0;
         order.limits.deadline = call_.deadline;
-        order.limits.stop = call_.options.stop;
+        order.limits.stop = stop_.get_token();
         order.search_limits = order.limits;
         order.search_limits.max_iterations =
             iterations_factor * statistics_.iterations + iterations_more;
@@ -75,6 +76,8 @@ class PathImprovement {
     const RaceResult& first_;
     SolveStatistics& statistics_;
     ProgressReport report_;
+    std::stop_source stop_;
+    std::stop_callback<std::function<void()>> stop_by_caller_;
     std::mutex mutex_;  ///< of the statistics and the best path
     double best_ = std::numeric_limits<double>::infinity();
     Configurations best_path_;

@@ -1,13 +1,15 @@
 #include "core/solve/stages/race.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <limits>
 #include <mutex>
 #include <stop_token>
-#include <thread>
 #include <tuple>
 #include <vector>
 
 #include "core/bounds/feasibility.hpp"
+#include "core/solve/stages/in_threads.hpp"
 #include "core/solve/stages/progress_report.hpp"
 #include "core/solve/stages/tree_pictures.hpp"
 
@@ -36,17 +38,14 @@ class Race {
           stop_by_caller_(call.options.stop, [this] { stop_.request_stop(); }) {}
 
     RaceResult run() {
-        {
-            std::vector<std::jthread> others;
-            for (std::size_t thread = 1; thread < call_.threads(); ++thread)
-                others.emplace_back([this, thread] { search(thread); });
-            search(0);
-        }
+        in_threads(call_.threads(), stop_, [this](std::size_t thread) { search(thread); });
         return std::move(race_);
     }
 
   private:
     void search(std::size_t thread) {
+        // A thread that the system is late to start need not prepare for a race that is over.
+        if (thread > 0 && stop_.stop_requested()) return;
         Limits limits;
         limits.deadline = call_.deadline;
         limits.stop = stop_.get_token();
@@ -81,12 +80,25 @@ class Race {
                 stop_.request_stop();
             }
         }
+        end_in_time_for_trees(progress);
         report_.tell(progress, std::nullopt);
+    }
+
+    /// Trees have to be drawn and written inside the limit as well, the longer the more there is of
+    /// them.
+    void end_in_time_for_trees(const Progress& progress) {
+        if (!call_.options.keep_trees) return;
+        const auto nodes = static_cast<double>(progress.nodes[0] + progress.nodes[1]);
+        const double least = std::min(0.02, 0.25 * call_.clock.time_limit());
+        if (call_.clock.left() > least + seconds_per_node * nodes) return;
+        out_of_time_ = true;
+        stop_.request_stop();
     }
 
     /// Of the search that won or, as long as none has, of that of the first thread.
     void note_search(const SearchResult& search) {
-        race_.failure = search.outcome;
+        race_.failure =
+            out_of_time_ && search.outcome == Outcome::stopped ? Outcome::deadline : search.outcome;
         SolveStatistics& statistics = result_.statistics;
         statistics.iterations = search.iterations;
         for (std::size_t side = 0; side < search.trees.size(); ++side)
@@ -104,14 +116,19 @@ class Race {
         statistics.cost_of_search = call_.frame.cost_back(call_.solver.cost(race_.path));
         if (statistics.cost_of_search < best_cost(history))
             history.emplace_back(call_.clock.elapsed(), statistics.cost_of_search);
+        if (call_.options.on_path) call_.options.on_path(history.front().first);
         std::tie(statistics.time_to_first, statistics.cost_first) = history.front();
         statistics.cost_history = std::move(history);
     }
+
+    /// To draw a node of a tree, or of a roadmap with its edges, and to write it.
+    static constexpr double seconds_per_node = 4e-6;
 
     const SolveCall& call_;
     SolveResult& result_;
     ProgressReport report_;
     bool looked_for_proof_ = false;
+    std::atomic<bool> out_of_time_ = false;
     std::stop_source stop_;
     std::stop_callback<std::function<void()>> stop_by_caller_;
     std::mutex mutex_;  ///< of race_ and result_

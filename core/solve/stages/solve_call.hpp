@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <thread>
 
 #include "core/model/problem.hpp"
 #include "core/solve/bodies/body_solver.hpp"
@@ -23,7 +25,14 @@ struct SolveCall {
     /// and written.
     Clock::time_point deadline;
 
-    std::size_t threads() const { return options.threads > 0 ? options.threads : 1; }
+    /// As many as were asked for, but so many for each processor at most: more only wait for each
+    /// other, when a path is found as much as when the time is up.
+    std::size_t threads() const {
+        constexpr std::size_t for_each_processor = 8;
+        const std::size_t most =
+            for_each_processor * std::max(1U, std::thread::hardware_concurrency());
+        return std::clamp<std::size_t>(options.threads, 1, most);
+    }
 
     /// A seed for each thread, that of the options for the first one.
     std::uint64_t seed(std::size_t thread) const {

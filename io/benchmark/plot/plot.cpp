@@ -71,6 +71,9 @@ class Plotter {
                   " ms, the time of 10\u2076 scalar state checks of 7 ASVs on this machine",
               {colours_.muted, text_size});
         if (both_directions(report_)) direction_legend();
+        if (plan.jobs > 1)
+            write({left, 100}, plural(plan.jobs, "run") + " side by side: their times are spoilt",
+                  {colours_.violation, text_size});
     }
 
     void panel(const PlotPanel& panel, const Axis& times, double top) {
@@ -143,8 +146,8 @@ class Plotter {
 
     void draw_curve(const PlotSeries& series, const Axis& times, const Axis& shares,
                     const Box& box) {
-        if (series.times.empty()) return;
         const Colour colour = planner_colour(series.planner, theme_);
+        if (series.times.empty()) return draw_no_curve(series, shares, box);
         std::vector<Point> curve;
         double share = 0;
         for (const double time : series.times) {
@@ -162,6 +165,15 @@ class Plotter {
             draw_mark(canvas_, series.planner, curve[2 * i + 1], 4, colour,
                       series.direction == Direction::reversed, colours_.field);
         }
+    }
+
+    /// No run is solved at any time: a line along the bottom, so that the planner is not missed.
+    void draw_no_curve(const PlotSeries& series, const Axis& shares, const Box& box) {
+        const Colour colour = planner_colour(series.planner, theme_);
+        const Segment none{{box.low.x, shares.at(0)}, {box.high.x, shares.at(0)}};
+        canvas_.stroke_segments(std::span(&none, 1), stroke(colour, series.direction));
+        draw_mark(canvas_, series.planner, none.b, 4, colour,
+                  series.direction == Direction::reversed, colours_.field);
     }
 
     void draw_costs(const PlotPanel& panel, const Box& box) {

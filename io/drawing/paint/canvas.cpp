@@ -10,6 +10,7 @@
 #include <cairo.h>
 
 #include "io/text/markup.hpp"
+#include "io/text/valid_text.hpp"
 
 namespace asv::io {
 
@@ -189,14 +190,14 @@ void Canvas::text(const Point& at, std::string_view words, const TextStyle& styl
                          : style.align == Align::centre ? width / 2
                                                         : width;
     cairo_move_to(cairo_, at.x - shift, at.y);
-    cairo_show_text(cairo_, std::string(words).c_str());
+    cairo_show_text(cairo_, valid_text(words).c_str());
     cairo_new_path(cairo_);
 }
 
 double Canvas::text_width(std::string_view words, const TextStyle& style) {
     apply(style);
     cairo_text_extents_t extents;
-    cairo_text_extents(cairo_, std::string(words).c_str(), &extents);
+    cairo_text_extents(cairo_, valid_text(words).c_str(), &extents);
     return extents.x_advance;
 }
 
@@ -221,7 +222,7 @@ std::string Canvas::finish(std::string_view title, std::string_view description)
     cairo_surface_t* surface = handles_->surface.get();
     if (format_ == PictureFormat::pdf) {
         cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE,
-                                       std::string(title).c_str());
+                                       valid_text(title).c_str());
     }
     if (format_ == PictureFormat::png) {
         check(cairo_surface_write_to_png_stream(surface, append, &bytes_));
@@ -233,9 +234,9 @@ std::string Canvas::finish(std::string_view title, std::string_view description)
     if (format_ == PictureFormat::svg) bytes_ = with_two_decimals(bytes_);
     const std::size_t root = bytes_.find("<svg ");
     if (format_ == PictureFormat::svg && root != std::string::npos) {
-        bytes_.insert(bytes_.find('>', root) + 1, "\n<title>" + escape_markup(title) +
-                                                      "</title>\n<desc>" +
-                                                      escape_markup(description) + "</desc>");
+        bytes_.insert(bytes_.find('>', root) + 1,
+                      "\n<title>" + escape_markup(valid_text(title)) + "</title>\n<desc>" +
+                          escape_markup(valid_text(description)) + "</desc>");
         bytes_.insert(root + 5, "role=\"img\" ");
     }
     return std::move(bytes_);

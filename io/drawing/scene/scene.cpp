@@ -99,12 +99,13 @@ class Composer {
         for (const core::CheckResult& check : exhibit_.report.checks) {
             if (check.ok() || !check.worst || check.check == core::Check::cost) continue;
             const core::Offender& offender = *check.worst;
-            const auto state = exhibit_.solution->path.state(offender.state);
-            scene.violations.push_back({offender.state, check.check, place(offender)});
-            scene.lines.push_back({Role::violation,
-                                   offender.state,
-                                   progress(offender.state),
-                                   {state.begin(), state.end()}});
+            const auto state = state_of(offender);
+            // Start and goal stand at both ends, whether there is a path or not.
+            const bool on_path = exhibit_.solution.has_value();
+            const std::size_t index = on_path ? offender.state : 0;
+            const double at = on_path ? progress(index) : static_cast<double>(offender.state);
+            scene.violations.push_back({index, check.check, place(offender)});
+            scene.lines.push_back({Role::violation, index, at, {state.begin(), state.end()}});
         }
     }
 
@@ -184,10 +185,16 @@ class Composer {
         scene.lines.push_back({chain, index, progress, {state.begin(), state.end()}});
     }
 
+    /// Of the path; without one, state 0 is the start and state 1 the goal.
+    std::span<const Point> state_of(const core::Offender& offender) const {
+        if (exhibit_.solution) return exhibit_.solution->path.state(offender.state);
+        return offender.state == 0 ? exhibit_.problem.start : exhibit_.problem.goal;
+    }
+
     /// Where the broom meets the obstacle, the middle of the broom, or the ASV to blame; else
     /// ASV 1.
     Point place(const core::Offender& offender) const {
-        const auto state = exhibit_.solution->path.state(offender.state);
+        const auto state = state_of(offender);
         if (!offender.broom) return state[offender.asv.value_or(0)];
         const Segment broom = broom_of(state, *offender.broom);
         if (offender.obstacle) {
@@ -224,7 +231,7 @@ Scene make_scene(const Exhibit& exhibit) {
     if (exhibit.solution) composer.add_ways();
     composer.add_ends();
     if (exhibit.tightest_state) composer.add_least();
-    if (exhibit.solution) composer.add_violations();
+    composer.add_violations();
     std::stable_sort(composer.scene.lines.begin(), composer.scene.lines.end(),
                      [](const SceneLine& a, const SceneLine& b) { return a.role < b.role; });
     return std::move(composer.scene);

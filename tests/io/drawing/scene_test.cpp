@@ -130,6 +130,20 @@ TEST(Scene, MarksTheWorstOfEachViolationThatTheValidatorFinds) {
     EXPECT_EQ(exhibit.violations.size(), collisions->failures);
 }
 
+TEST(Scene, MarksWhatIsWrongWithAStartOrGoalWithoutAPath) {
+    for (const bool goal : {false, true}) {
+        ExhibitInput input = sample(3, {{0.1, 0.3}, {0.2, 0.3}}, {});
+        input.solution.reset();
+        auto& state = goal ? input.problem.goal : input.problem.start;
+        state[2].x += 0.01;
+        const Point middle{(state[1].x + state[2].x) / 2, (state[1].y + state[2].y) / 2};
+        const Scene scene = make_scene(make_exhibit(std::move(input)));
+        ASSERT_FALSE(scene.violations.empty());
+        EXPECT_EQ(scene.violations[0].check, core::Check::broom_lengths);
+        EXPECT_EQ(scene.violations[0].at, middle);
+    }
+}
+
 TEST(Scene, TreesHaveAnEdgeForEachParentAndRoadmapsTheirOwn) {
     ExhibitInput input = sample(3, {{0.1, 0.3}, {0.2, 0.3}}, {});
     input.trees = SearchTrees{
@@ -144,13 +158,21 @@ TEST(Scene, TreesHaveAnEdgeForEachParentAndRoadmapsTheirOwn) {
 }
 
 TEST(Facts, SayCostBoundRatioAndSteps) {
+    ExhibitInput input = sample(3, {{0.1, 0.3}, {0.1 + 0.5, 0.3}}, {});
+    input.lower_bound = 1;
+    const Exhibit exhibit = make_exhibit(std::move(input));
+    EXPECT_EQ(facts(exhibit),
+              "3 ASVs · 0 obstacles · cost 1.5000 · lower bound 1.0000 (ratio 1.500) · 500 steps");
+    EXPECT_EQ(verdict(exhibit), "valid");
+}
+
+TEST(Facts, SayNoRatioOfAPathThatIsNotValid) {
     ExhibitInput input = sample(3, {{0.1, 0.3}, {0.1 + 1.5, 0.3}}, {});
     input.lower_bound = 4;
     input.planner = "auto";
     const Exhibit exhibit = make_exhibit(std::move(input));
     EXPECT_EQ(facts(exhibit),
-              "3 ASVs · 0 obstacles · cost 4.5000 · lower bound 4.0000 (ratio 1.125) · 1,500 "
-              "steps · auto");
+              "3 ASVs · 0 obstacles · cost 4.5000 · lower bound 4.0000 · 1,500 steps · auto");
     EXPECT_EQ(verdict(exhibit), "not valid: 1 of 8 requirements violated") << "it leaves the field";
     EXPECT_EQ(complaints(exhibit).size(), 1U);
 }

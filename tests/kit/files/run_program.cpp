@@ -1,9 +1,11 @@
 #include "tests/kit/files/run_program.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -44,6 +46,9 @@ void redirect(const std::filesystem::path& file, int flags, int descriptor) {
     std::signal(SIGXFSZ, SIG_IGN);
     limit(RLIMIT_FSIZE, surroundings.largest_file);
     if (!shadow_memory) limit(RLIMIT_AS, surroundings.memory);
+    limit(RLIMIT_NPROC, surroundings.most_processes);
+    for (const std::string& entry : surroundings.environment)
+        ::putenv(const_cast<char*>(entry.c_str()));
     if (surroundings.user != 0 && ::setuid(surroundings.user) != 0) ::_exit(cannot_start);
     ::alarm(60);
     ::execv(words[0], words.data());
@@ -65,6 +70,10 @@ Outcome run_program(const std::string& name, const std::vector<std::string>& arg
     const pid_t child = ::fork();
     if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
     if (child == 0) become(words, surroundings, out, folder / "err");
+    for (const int signal : surroundings.signals) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(surroundings.before_each_signal));
+        ::kill(child, signal);
+    }
     int status = 0;
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }

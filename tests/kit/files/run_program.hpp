@@ -20,6 +20,12 @@ struct Surroundings {
     std::size_t memory = 0;        ///< bytes of address space; not kept under sanitizers
     unsigned user = 0;             ///< run as this user, which only root can ask for
     std::filesystem::path standard_output = {};  ///< instead of Outcome::out
+    /// Sent to it one after the other, each so many milliseconds after the one before.
+    std::vector<int> signals = {};
+    unsigned before_each_signal = 1000;
+    /// More of its environment: "NAME=VALUE".
+    std::vector<std::string> environment = {};
+    unsigned most_processes = 0;  ///< of its user, threads too
 };
 
 /// Exit code of a program in which a sanitizer found something.

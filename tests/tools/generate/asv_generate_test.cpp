@@ -94,11 +94,13 @@ TEST_F(GenerateProgram, WrongUsageIsNamedAndWritesNothing) {
         EXPECT_NE(message().find(named), std::string::npos) << arguments << ": " << message();
         EXPECT_FALSE(exists("p.txt")) << arguments;
     };
-    expect_usage("", "--asvs");
+    expect_usage("", "corridor, bend");
     expect_usage("corridor -o p.txt", "--asvs");
     expect_usage("corridor -n 7", "--output");
-    expect_usage("-n 7 -o p.txt", "subcommand");
-    expect_usage("staircase -n 7 -o p.txt", "subcommand");
+    expect_usage("-n 7 -o p.txt", "a family has to be named; there are corridor, bend");
+    expect_usage("maz", "'maz' is no family; there are maze, ");
+    expect_usage("-n 7 -o p.txt spirl", "'spirl' is no family; there are spiral, ");
+    expect_usage("corridor -n 7 -o p.txt extra", "corridor takes no extra");
     expect_usage("corridor -n 2 -o p.txt", "asvs");
     expect_usage("corridor -n 201 -o p.txt", "asvs");
     expect_usage("corridor -n -7 -o p.txt", "--asvs");
@@ -113,6 +115,17 @@ TEST_F(GenerateProgram, WrongUsageIsNamedAndWritesNothing) {
     expect_usage("maze -n 7 --cells 40 -o p.txt", "cells");
     expect_usage("clutter -n 7 --obstacles 3000000 -o p.txt", "obstacles");
     expect_usage("corridor -n 70 -o p.txt", "leave more room");
+    expect_usage("corridor -n 200 -o p.txt", "200 ASVs need a corridor 0.");
+    expect_usage("maze -n 200 -o p.txt", "200 ASVs need a way ");
+    expect_usage("corridor -n 7 --level 0x1p-1 -o p.txt", "0.1 to 0.9");
+    expect_usage("clutter -n 7 --obstacles 18446744073709551616 -o p.txt", "0 to 1000000");
+}
+
+TEST_F(GenerateProgram, NumbersAreDecimal) {
+    ASSERT_EQ(run("corridor -n 7 --seed 10 -o p.txt"), 0) << message();
+    const std::string problem = text("p.txt");
+    ASSERT_EQ(run("corridor -n 007 --seed 010 -o p.txt"), 0) << message();
+    EXPECT_EQ(text("p.txt"), problem);
 }
 
 TEST_F(GenerateProgram, OutputThatCannotBeWrittenHasItsOwnCode) {

@@ -84,6 +84,15 @@ TEST(Plot, IsDrawnInEveryFormatAndTheme) {
     EXPECT_NE(svg.find("<title>Benchmark"), std::string::npos);
 }
 
+TEST(Plot, ShowsNamesOfAnyBytesAndThatTimesAreSpoilt) {
+    BenchmarkReport report = test::sample_report();
+    report.plan.problems[0].name = "q\xff\x01.txt";
+    report.plan.planners[0].label = "\xed\xa0\x80";
+    report.plan.jobs = 3;
+    for (const PictureFormat format : {PictureFormat::svg, PictureFormat::png, PictureFormat::pdf})
+        EXPECT_FALSE(draw_benchmark(report, format, Theme::light).empty());
+}
+
 TEST(Plot, IsDrawnWhereNothingIsSolvedAndWhereThereIsMuch) {
     BenchmarkReport report = test::sample_report();
     for (core::BenchmarkRun& run : report.runs) run.status = core::SolveStatus::timeout;

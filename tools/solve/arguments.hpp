@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/solve/solve.hpp"
+#include "tools/common/command_line.hpp"
+
+namespace asv::tools {
+
+/// What asv-solve was asked for.
+struct SolveArguments {
+    std::string problem, solution, stats, trees;
+    std::string planner = "auto";
+    std::vector<std::string> settings;
+    bool markdown = false;
+    bool quiet = false;
+    core::SolveOptions solve;
+    core::Clock::time_point started;  ///< when the process began
+};
+
+/// Binds the options of the program; --list-planners prints and ends it.
+void add_options(CLI::App& app, SolveArguments& arguments);
+
+/// The planner with its settings. Throws UsageError.
+core::Planner chosen_planner(const SolveArguments& arguments);
+
+}  // namespace asv::tools

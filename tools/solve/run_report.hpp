@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/solve/solve.hpp"
+#include "io/problem/problem_file.hpp"
+#include "tools/solve/arguments.hpp"
+#include "tools/solve/run_watch.hpp"
+
+/// What asv-solve tells of a run: on standard error, in the files of --stats and --trees, and by
+/// its exit code.
+
+namespace asv::tools {
+
+ExitCode exit_code(core::SolveStatus status);
+
+void write_statistics(const SolveArguments& arguments, const core::Problem& problem,
+                      const core::SolveResult& result);
+
+void write_trees(const SolveArguments& arguments, const core::SolveResult& result,
+                 std::size_t asv_count);
+
+/// One line on standard error.
+void report(const SolveArguments& arguments, const core::SolveResult& result);
+
+/// "FILE:LINE: start is not valid: REASON", one line for each.
+void report_invalid_ends(const SolveArguments& arguments, const io::ProblemFile& file,
+                         const core::InvalidEnds& invalid);
+
+/// One line while it runs.
+std::string progress_text(const core::SolveProgress& progress);
+
+/// A pipe or a device, to which writing may wait for a reader.
+bool is_stream(const std::string& file);
+
+/// The last words of a run that is cut off while its main thread is still busy: the statistics,
+/// where they are not there yet, and a line on standard error. status: of the run, where it has
+/// come to one. Returns the exit code; ends the process with it where nobody reads the words.
+int give_up(const SolveArguments& arguments, const CutOff& at, core::SolveStatus status);
+
+}  // namespace asv::tools

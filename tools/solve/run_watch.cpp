@@ -1,0 +1,133 @@
+#include "tools/solve/run_watch.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include <pthread.h>
+#include <unistd.h>
+
+#include "tools/common/interrupt.hpp"
+
+namespace asv::tools {
+
+namespace {
+
+using core::Clock;
+using std::chrono::milliseconds;
+
+/// What a run that was asked to stop gets to write its best path: so much of processors, and on a
+/// machine that is busy elsewhere so much of wall clock. One that waits for a reader, or has no
+/// path, gets the former of wall clock.
+constexpr milliseconds patience{70}, patience_of_a_busy_machine{250};
+/// Between two looks at what it has used.
+constexpr milliseconds between_looks{5};
+/// Before the limit, to see how long the end will take.
+constexpr milliseconds look_ahead{100};
+
+sigset_t watched() {
+    sigset_t set = interrupting_signals();
+    sigaddset(&set, wake_up_signal);
+    return set;
+}
+
+timespec time_until(Clock::time_point moment) {
+    const auto left = std::clamp(moment - Clock::now(), Clock::duration::zero(),
+                                 Clock::duration(std::chrono::hours(24)));
+    const auto whole = std::chrono::duration_cast<std::chrono::seconds>(left);
+    return {whole.count(), std::chrono::nanoseconds(left - whole).count()};
+}
+
+/// What the system takes to end the process: it has to give back its memory.
+Clock::duration time_to_end() {
+    std::size_t total_pages = 0, pages = 0;
+    std::ifstream("/proc/self/statm") >> total_pages >> pages;
+    constexpr double nanoseconds_per_page = 250;
+    return milliseconds(1) + std::chrono::nanoseconds(static_cast<std::int64_t>(
+                                 nanoseconds_per_page * static_cast<double>(pages)));
+}
+
+}  // namespace
+
+double processor_seconds() {
+    timespec used{};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+}
+
+RunWatch::RunWatch(std::optional<Clock::time_point> limit,
+                   std::function<int(const CutOff&)> give_up)
+    : limit_(limit), give_up_(std::move(give_up)) {
+    const sigset_t set = watched();
+    pthread_sigmask(SIG_BLOCK, &set, nullptr);
+    try {
+        watcher_ = std::jthread([this](const std::stop_token& done) { watch(done); });
+    } catch (const std::system_error&) {
+        // The system grants no thread: signals then end the process at once, and the limit is kept
+        // as far as the solver keeps it.
+        pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+    }
+}
+
+RunWatch::~RunWatch() {
+    if (watcher_.joinable()) {
+        watcher_.request_stop();
+        pthread_kill(watcher_.native_handle(), wake_up_signal);
+        watcher_.join();
+    }
+    const sigset_t set = watched();
+    pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+}
+
+void RunWatch::enter(Stage stage, bool to_stream) {
+    to_stream_ = to_stream;
+    stage_ = stage;
+}
+
+void RunWatch::watch(const std::stop_token& done) {
+    const sigset_t set = watched();
+    while (!done.stop_requested()) {
+        const timespec wait = time_until(next_look());
+        const int signal = ::sigtimedwait(&set, nullptr, &wait);
+        if (done.stop_requested()) return;
+        if (signal > 0 && signal != wake_up_signal) take_signal();
+        if (interrupted_.stop_requested() && patience_is_over()) cut_off(true);
+        if (limit_ && Clock::now() >= *limit_ - time_to_end()) cut_off(false);
+    }
+}
+
+Clock::time_point RunWatch::next_look() const {
+    const Clock::time_point now = Clock::now();
+    Clock::time_point next = Clock::time_point::max();
+    if (limit_) next = *limit_ - (*limit_ - now > look_ahead ? look_ahead : time_to_end());
+    if (interrupted_.stop_requested()) next = std::min(next, now + between_looks);
+    return next;
+}
+
+void RunWatch::take_signal() {
+    if (interrupted_.stop_requested() || stage_ == Stage::reading) cut_off(true);
+    interrupted_at_ = Clock::now();
+    used_then_ = processor_seconds();
+    interrupted_.request_stop();
+}
+
+bool RunWatch::patience_is_over() const {
+    const Clock::duration waited = Clock::now() - interrupted_at_;
+    const bool path_is_coming = path_after_ >= 0 && !to_stream_;
+    if (!path_is_coming) return waited >= patience;
+    const std::chrono::duration<double> used(processor_seconds() - used_then_);
+    return used >= patience || waited >= patience_of_a_busy_machine;
+}
+
+void RunWatch::cut_off(bool interrupted) const {
+    CutOff at{interrupted, stage_, to_stream_, std::nullopt};
+    const double path_after = path_after_;
+    if (path_after >= 0) at.path_after = path_after;
+    std::_Exit(give_up_(at));
+}
+
+}  // namespace asv::tools
