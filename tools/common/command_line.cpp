@@ -1,6 +1,7 @@
 #include "tools/common/command_line.hpp"
 
 #include <cmath>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -46,6 +47,8 @@ ExitCode CommandLine::parse_and_act(int argc, const char* const* argv,
 int CommandLine::run(int argc, const char* const* argv,
                      const std::function<ExitCode()>& action) noexcept {
     ExitCode code = ExitCode::internal;
+    // A file that may not grow further is then a failed write, not the end of the process.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         code = parse_and_act(argc, argv, action);
     } catch (const UsageError& error) {
@@ -72,8 +75,7 @@ int CommandLine::run(int argc, const char* const* argv,
 void CommandLine::print(std::span<const io::Warning> warnings) const {
     if (quiet_) return;
     for (const io::Warning& warning : warnings) {
-        std::cerr << warning.file << ':' << warning.line << ": warning: " << warning.message
-                  << '\n';
+        std::cerr << to_text(warning) << '\n';
     }
 }
 

@@ -18,9 +18,12 @@
 #include "io/solution/statistics_file.hpp"
 #include "io/solution/trees_file.hpp"
 #include "io/text/atomic_file.hpp"
+#include "io/text/escape.hpp"
 #include "tools/common/command_line.hpp"
+#include "tools/common/file_roles.hpp"
 #include "tools/common/interrupt.hpp"
 #include "tools/common/progress_line.hpp"
+#include "tools/common/reading.hpp"
 #include "tools/solve/planner_list.hpp"
 #include "tools/solve/time_limit_watch.hpp"
 
@@ -39,13 +42,15 @@ struct Arguments {
     std::vector<std::string> settings;
     bool markdown = false;
     core::SolveOptions solve;
+    io::ReadOptions reading;
     core::Clock::time_point started = core::Clock::now();
 };
 
 void add_options(CLI::App& app, Arguments& arguments) {
     core::SolveOptions& solve = arguments.solve;
-    app.add_option("PROBLEM", arguments.problem, "Problem file")->required();
-    app.add_option("SOLUTION", arguments.solution, "Solution file to write")->required();
+    app.add_option("PROBLEM", arguments.problem, "Problem file; - for standard input")->required();
+    app.add_option("SOLUTION", arguments.solution, "Solution file to write; - for standard output")
+        ->required();
     app.add_option("--planner", arguments.planner, "Planner, see --list-planners")
         ->capture_default_str();
     app.add_option("--set", arguments.settings,
@@ -65,6 +70,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
         ->check(CLI::Range(1, 1024));
     app.add_option("--stats", arguments.stats, "Write what the run found and spent as JSON");
     app.add_option("--trees", arguments.trees, "Write the search trees as JSON");
+    asv::tools::add_reading_options(app, arguments.reading);
     app.add_flag("--reverse", solve.reverse,
                  "Plan from goal to start; the file still leads from start to goal");
     CLI::Option* markdown =
@@ -79,6 +85,15 @@ void add_options(CLI::App& app, Arguments& arguments) {
             throw CLI::Success();
         },
         "List all planners with their settings and exit"));
+}
+
+asv::tools::FileRoles roles_of(const Arguments& arguments) {
+    asv::tools::FileRoles roles;
+    roles.add_input("PROBLEM", arguments.problem);
+    roles.add_output("SOLUTION", arguments.solution);
+    roles.add_output("--stats", arguments.stats);
+    roles.add_output("--trees", arguments.trees);
+    return roles;
 }
 
 core::Planner chosen_planner(const Arguments& arguments) {
@@ -204,8 +219,9 @@ std::unique_ptr<TimeLimitWatch> watch_time_limit(const Arguments& arguments, boo
 void report_invalid_ends(const std::string& name, const io::ProblemFile& file,
                          const core::InvalidEnds& invalid) {
     for (const core::InvalidEnd& end : invalid.ends())
-        std::cerr << name << ':' << (end.goal ? file.goal_line : file.start_line) << ": "
-                  << (end.goal ? "goal" : "start") << " is not valid: " << end.reason << '\n';
+        std::cerr << io::escaped(name) << ':' << (end.goal ? file.goal_line : file.start_line)
+                  << ": " << (end.goal ? "goal" : "start") << " is not valid: " << end.reason
+                  << '\n';
 }
 
 /// Everything between a problem that has been read and an answer.
@@ -242,13 +258,17 @@ ExitCode answer(const CommandLine& command_line, Arguments& arguments, const io:
 
 ExitCode solve_file(const CommandLine& command_line, Arguments& arguments) {
     arguments.solve.planner = chosen_planner(arguments);
+    asv::tools::FileRoles roles = roles_of(arguments);
+    roles.require_distinct();
     auto time_limit = watch_time_limit(arguments, command_line.quiet());
-    const io::ProblemFile file = io::read_problem(arguments.problem);
+    const io::ProblemFile file = io::read_problem(arguments.problem, arguments.reading);
     command_line.print(file.warnings);
+    roles.add_maps(file);
+    roles.require_distinct();
     try {
         return answer(command_line, arguments, file, std::move(time_limit));
     } catch (const core::InvalidEnds& invalid) {
-        report_invalid_ends(arguments.problem, file, invalid);
+        report_invalid_ends(io::input_name(arguments.problem), file, invalid);
         return ExitCode::bad_input;
     }
 }
