@@ -117,7 +117,7 @@ std::optional<double> Scanner::underflown(const char* first, const char* last) {
     const std::string copy(first, last);
     const double value = std::strtod(copy.c_str(), nullptr);
     if (std::abs(value) > 1) return std::nullopt;
-    warn(quoted(copy) + " is too small for a number and counts as 0");
+    warn(quoted(std::string_view(copy)) + " is too small for a number and counts as 0");
     return value;
 }
 
