@@ -15,8 +15,8 @@ class Covering {
     explicit Covering(const Grid& grid)
         : grid_(grid), cell_(grid.cells.size()), right_(cell_.size()), up_(cell_.size()) {}
 
-    std::vector<CellRectangle> run() {
-        for (std::size_t y = 0; y < grid_.height; ++y) {
+    std::vector<CellRectangle> run(std::size_t most) {
+        for (std::size_t y = 0; y < grid_.height && chosen_.size() <= most; ++y) {
             for (std::size_t x = 0; x < grid_.width; ++x) {
                 if (!grid_.occupied(x, y)) continue;
                 const std::size_t i = y * grid_.width + x;
@@ -25,6 +25,7 @@ class Covering {
                 if (to_right && !right_[i]) add({x, y, x + 2, y + 1});
                 if (upwards && !up_[i]) add({x, y, x + 1, y + 2});
                 if (!cell_[i]) add({x, y, x + 1, y + 1});
+                if (chosen_.size() > most) break;
             }
         }
         return std::move(chosen_);
@@ -78,8 +79,8 @@ class Covering {
 
 }  // namespace
 
-std::vector<CellRectangle> cover(const Grid& grid) {
-    return Covering(grid).run();
+std::vector<CellRectangle> cover(const Grid& grid, std::size_t most) {
+    return Covering(grid).run(most);
 }
 
 }  // namespace asv::geometry

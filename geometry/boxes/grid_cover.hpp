@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace asv::geometry {
@@ -29,7 +30,9 @@ struct CellRectangle {
 /// rectangle holds yet gets the larger of two maximal ones: as wide as possible and then as high,
 /// or the other way round. Near the least number, which is hard to find (Culberson and Reckhow,
 /// 1994). O(rectangles * cells) at worst, in practice a few passes over the cells.
+/// Ends early, with one rectangle more than `most`, where more than that would be needed.
 /// Precondition: grid.cells.size() == grid.width * grid.height.
-std::vector<CellRectangle> cover(const Grid& grid);
+std::vector<CellRectangle> cover(const Grid& grid,
+                                 std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace asv::geometry

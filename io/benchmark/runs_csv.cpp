@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/benchmark/summary.hpp"
+#include "io/text/escape.hpp"
 #include "io/text/number_text.hpp"
 
 namespace asv::io {
@@ -17,12 +18,21 @@ constexpr std::string_view columns =
     "primitive_steps,primitive_steps_lower_bound,tree_nodes,iterations,state_checks,edge_checks,"
     "peak_memory_bytes\n";
 
+/// A text that a spreadsheet would take for a formula gets an apostrophe in front; bytes that are
+/// no text are escaped.
+std::string harmless(std::string_view text) {
+    constexpr std::string_view begins_formula = "=+-@\t\r";
+    const bool formula = !text.empty() && begins_formula.find(text[0]) != std::string_view::npos;
+    return (formula ? "'" : "") + escaped(text);
+}
+
 /// The fields of one line.
 class Line {
   public:
-    void add(std::string_view text) {
+    void add(std::string_view words) {
         separate();
-        if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+        const std::string text = harmless(words);
+        if (text.find_first_of(",\"\r\n") == std::string::npos) {
             text_ += text;
             return;
         }

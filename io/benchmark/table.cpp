@@ -9,6 +9,7 @@
 
 #include "core/benchmark/summary.hpp"
 #include "io/benchmark/wording.hpp"
+#include "io/text/escape.hpp"
 
 namespace asv::io {
 
@@ -18,15 +19,17 @@ using core::BenchmarkRun;
 using core::Spread;
 using core::Summary;
 
-/// What would end a cell or begin a tag is written in another way.
+/// What would end a cell, or begin a tag, a link, a picture or code, is written in another way.
 std::string cell(std::string_view text) {
+    constexpr std::string_view with_meaning = "|\\[]`";
     std::string result;
-    for (const char letter : text) {
-        if (letter == '|') result += '\\';
+    for (const char letter : escaped(text)) {
+        // A bar is escaped by a backslash, which therefore must not stand alone.
+        if (with_meaning.find(letter) != std::string_view::npos) result += '\\';
         if (letter == '<')
             result += "&lt;";
         else
-            result += letter == '\n' || letter == '\r' ? ' ' : letter;
+            result += letter;
     }
     return result;
 }

@@ -13,11 +13,13 @@ namespace asv::io {
 inline constexpr double default_threshold = 127;
 
 /// Reads a map of occupied cells, one for each pixel or digit, the first line at the top:
-/// - a picture, PGM (P2 or P5) or PNG (colours as their luma, what is transparent on white): a
-///   pixel of at most `threshold` of 255 is occupied;
-/// - a text grid: lines "height H" and "width W" in either order, then H times W digits 0 (free) or
-///   1 (occupied) with or without white space between them; `threshold` means nothing there.
-/// Which one it is shows in the content. Throws ParseError or ReadError.
+/// - a picture, PBM, PGM or PPM (P1 to P6) or PNG (colours as their luma, what is transparent on
+///   white): a pixel of at most `threshold` of 255 is occupied;
+/// - a text grid: lines of digits 0 (free) or 1 (occupied), with or without white space between
+///   them; before them perhaps "height H" and "width W", and then the ends of lines mean nothing.
+///   `threshold` means nothing there.
+/// Which one it is shows in the content. Throws ParseError or ReadError, also for what is no
+/// regular file.
 geometry::Grid read_map(const std::filesystem::path& file, double threshold = default_threshold);
 
 /// The same from the content; name stands for the file in messages.

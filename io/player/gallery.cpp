@@ -1,8 +1,9 @@
 #include "io/player/gallery.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
+#include <set>
 
 #include "core/bounds/lower_bound.hpp"
 #include "core/validation/validate.hpp"
@@ -24,6 +25,19 @@ namespace fs = std::filesystem;
 constexpr std::string_view solution_ending = ".solution.txt";
 constexpr std::string_view trees_ending = ".trees.json";
 constexpr std::string_view stats_ending = ".stats.json";
+
+/// What a gallery has of each exhibit.
+constexpr std::array<std::string_view, 3> endings = {".light.svg", ".dark.svg", ".html"};
+
+/// Throws ReadError when a map is about to be overwritten.
+void require_apart(std::span<const fs::path> maps, std::span<const fs::path> outputs) {
+    for (const fs::path& map : maps)
+        for (const fs::path& output : outputs) {
+            std::error_code does_not_exist;
+            if (fs::equivalent(map, output, does_not_exist))
+                throw ReadError(map.string() + ": the map would be overwritten by the gallery");
+        }
+}
 
 /// Classic files and scenarios; not what asv-solve has written beside them.
 bool names_a_problem(std::string_view name) {
@@ -128,14 +142,15 @@ std::optional<double> lower_bound_of(const core::Problem& problem) {
 
 }  // namespace
 
-Exhibit read_exhibit(const ExhibitFiles& files, std::vector<Warning>& warnings) {
-    ProblemFile problem = read_problem(files.problem);
-    warnings.insert(warnings.end(), problem.warnings.begin(), problem.warnings.end());
+Exhibit read_exhibit(const ExhibitFiles& files, ReadingNotes& notes, const ReadOptions& options) {
+    ProblemFile problem = read_problem(files.problem, options);
+    notes.warnings.insert(notes.warnings.end(), problem.warnings.begin(), problem.warnings.end());
+    notes.maps.insert(notes.maps.end(), problem.maps.begin(), problem.maps.end());
     ExhibitInput input;
-    input.name = files.problem.stem().string();
+    input.name = fs::path(input_name(files.problem)).stem().string();
     input.problem = std::move(problem.problem);
     if (files.solution) {
-        input.solution = read_solution(*files.solution, input.problem.asv_count());
+        input.solution = read_solution(*files.solution, input.problem.asv_count(), &notes.warnings);
     }
     if (files.trees) input.trees = read_trees(*files.trees);
     RunFacts run;
@@ -159,23 +174,50 @@ std::vector<ExhibitFiles> find_exhibits(std::span<const fs::path> cases,
     return result;
 }
 
-GalleryReport write_gallery(const fs::path& folder, std::span<const ExhibitFiles> exhibits) {
+std::vector<std::string> gallery_names(std::span<const ExhibitFiles> exhibits) {
+    std::vector<std::string> names;
+    std::set<std::string> taken{"index"};
+    for (const ExhibitFiles& files : exhibits) {
+        const std::string stem = fs::path(input_name(files.problem)).stem().string();
+        std::string name = stem;
+        for (std::size_t number = 2; !taken.insert(name).second; ++number)
+            name = stem + "-" + std::to_string(number);
+        names.push_back(name);
+    }
+    return names;
+}
+
+std::vector<fs::path> gallery_files(const fs::path& folder,
+                                    std::span<const ExhibitFiles> exhibits) {
+    std::vector<fs::path> files{folder / "index.html"};
+    for (const std::string& name : gallery_names(exhibits))
+        for (const std::string_view ending : endings)
+            files.push_back(folder / (name + std::string(ending)));
+    return files;
+}
+
+GalleryReport write_gallery(const fs::path& folder, std::span<const ExhibitFiles> exhibits,
+                            const ReadOptions& options) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw WriteError(folder.string() + ": " + error.message());
     GalleryReport report;
     std::string cards;
-    std::map<std::string, int> uses;
-    for (const ExhibitFiles& files : exhibits) {
-        std::string name = files.problem.stem().string();
-        const int use = ++uses[name];
-        if (use > 1) name.append("-").append(std::to_string(use));
+    const std::vector<std::string> names = gallery_names(exhibits);
+    const std::vector<fs::path> outputs = gallery_files(folder, exhibits);
+    for (std::size_t i = 0; i < exhibits.size(); ++i) {
+        const ExhibitFiles& files = exhibits[i];
+        const std::string& name = names[i];
         const auto fail = [&](const char* reason) {
             report.failures.push_back({name, reason});
             cards += failure_card(name, without_folders(reason, files));
         };
         try {
-            const Exhibit exhibit = read_exhibit(files, report.warnings);
+            ReadingNotes notes;
+            const Exhibit exhibit = read_exhibit(files, notes, options);
+            report.warnings.insert(report.warnings.end(), notes.warnings.begin(),
+                                   notes.warnings.end());
+            require_apart(notes.maps, outputs);
             write_file(folder / (name + ".light.svg"),
                        draw_picture(exhibit, PictureFormat::svg, Theme::light));
             write_file(folder / (name + ".dark.svg"),

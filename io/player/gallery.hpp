@@ -19,10 +19,16 @@ struct ExhibitFiles {
     std::optional<std::filesystem::path> stats = {};
 };
 
+/// What was found while files were read, besides what they say.
+struct ReadingNotes {
+    std::vector<Warning> warnings;            ///< what had to be forgiven
+    std::vector<std::filesystem::path> maps;  ///< which maps were read
+};
+
 /// Reads the files and measures what they say. The lower bound of the cost is that of the
-/// statistics, or is computed. Adds what had to be forgiven to warnings. Throws
-/// ParseError or ReadError.
-Exhibit read_exhibit(const ExhibitFiles& files, std::vector<Warning>& warnings);
+/// statistics, or is computed. Adds to the notes. Throws ParseError or ReadError.
+Exhibit read_exhibit(const ExhibitFiles& files, ReadingNotes& notes,
+                     const ReadOptions& options = {});
 
 /// The files for each case: a problem file, or a folder, which stands for the .txt and .json
 /// files in it in the order of their names, those of solutions, trees and statistics apart. For a
@@ -44,10 +50,19 @@ struct GalleryReport {
     std::vector<Warning> warnings;
 };
 
+/// What each of the exhibits is called in a gallery: NAME of its problem NAME.txt, with a number
+/// where another one, or the page index.html, has that name.
+std::vector<std::string> gallery_names(std::span<const ExhibitFiles> exhibits);
+
+/// All files that write_gallery writes for these exhibits.
+std::vector<std::filesystem::path> gallery_files(const std::filesystem::path& folder,
+                                                 std::span<const ExhibitFiles> exhibits);
+
 /// Writes, for each problem, NAME.light.svg, NAME.dark.svg and the player NAME.html into a folder,
-/// which is made where it does not exist, and index.html with all of them. Problems of one name get
-/// numbers. A case that cannot be read has its reason on the page. Throws WriteError.
+/// which is made where it does not exist, and index.html with all of them. A case that cannot be
+/// read, or whose map is a file of the gallery, has its reason on the page. Throws WriteError.
 GalleryReport write_gallery(const std::filesystem::path& folder,
-                            std::span<const ExhibitFiles> exhibits);
+                            std::span<const ExhibitFiles> exhibits,
+                            const ReadOptions& options = {});
 
 }  // namespace asv::io

@@ -144,8 +144,9 @@ ordered_json data_of(const Exhibit& exhibit) {
                          {"lowerBound", exhibit.lower_bound ? ordered_json(*exhibit.lower_bound)
                                                             : ordered_json(nullptr)},
                          {"start", flat(problem.start)},
-                         {"goal", flat(problem.goal)},
-                         {"obstacles", pack(problem.obstacles)}};
+                         {"goal", flat(problem.goal)}};
+    // A large text is moved into its place; a list in braces would copy it.
+    data["obstacles"] = pack(problem.obstacles);
     add_states(data, exhibit);
     add_verdict(data, exhibit);
     add_trees(data, exhibit);
@@ -154,14 +155,9 @@ ordered_json data_of(const Exhibit& exhibit) {
 
 /// JSON that can stand in a script element: no "</script>" or "<!--" can come out of a name.
 std::string embeddable(const ordered_json& data) {
-    std::string text;
-    for (const char c : data.dump(-1, ' ', true)) {
-        if (c == '<') {
-            text += "\\u003c";
-        } else {
-            text += c;
-        }
-    }
+    std::string text = data.dump(-1, ' ', true);
+    for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
+        text.replace(at, 1, "\\u003c");
     return text;
 }
 

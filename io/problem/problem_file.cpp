@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/problem/scenario_file.hpp"
+#include "io/problem/thin_walls.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/number_text.hpp"
 #include "io/text/scanner.hpp"
@@ -15,48 +16,37 @@ namespace {
 using geometry::Box;
 using geometry::Point;
 
-constexpr std::size_t max_warnings = 100;
-
 class ProblemReader {
   public:
-    ProblemReader(std::string_view text, const std::string& name) : scanner_(text, name) {}
+    ProblemReader(std::string_view text, const std::string& name, const ReadOptions& options)
+        : scanner_(text, name),
+          bytes_(text.size()),
+          tolerance_(options.tolerance.value_or(core::Requirements{}.tolerance)) {}
 
     ProblemFile read() {
-        if (scanner_.had_byte_order_mark()) warn("byte order mark ignored");
-        const std::uint64_t asv_count = read_count("the number of ASVs", 1);
+        const std::size_t asv_count = read_count("the number of ASVs", 1, max_asvs);
         core::Problem& problem = result_.problem;
         problem.start = read_positions(asv_count, "the start");
         problem.goal = read_positions(asv_count, "the goal");
-        const std::uint64_t obstacle_count = read_count("the number of obstacles", 0);
-        // Only what is there is stored: the count may promise more than any memory holds.
-        for (std::uint64_t i = 0; i < obstacle_count; ++i) {
+        const std::size_t obstacle_count = read_count("the number of obstacles", 0, max_obstacles);
+        // The count may promise more than the file holds: an obstacle takes 16 characters.
+        problem.obstacles.reserve(std::min(obstacle_count, bytes_ / 16 + 1));
+        for (std::size_t i = 0; i < obstacle_count; ++i) {
             problem.obstacles.push_back(read_obstacle(i, obstacle_count));
         }
         if (!scanner_.at_end()) warn_about_rest(obstacle_count);
-        if (unlisted_warnings_ > 0) {
-            result_.warnings.back().message +=
-                " (" + std::to_string(unlisted_warnings_) + " further warnings are not listed)";
-        }
+        result_.warnings = scanner_.take_warnings();
         return std::move(result_);
     }
 
   private:
-    void warn(std::string message) {
-        if (result_.warnings.size() < max_warnings) {
-            result_.warnings.push_back({scanner_.name(), scanner_.line(), std::move(message)});
-        } else {
-            ++unlisted_warnings_;
-        }
-    }
-
-    std::uint64_t read_count(const std::string& what, std::uint64_t least) {
-        const std::optional<std::uint64_t> count = scanner_.count(least);
+    std::size_t read_count(const std::string& what, std::uint64_t least, std::uint64_t most) {
+        const std::optional<std::uint64_t> count = scanner_.count(least, most);
         if (!count)
-            throw scanner_.error(what + " (a whole number, at least " + std::to_string(least) +
-                                 ")");
-        if (!scanner_.at_line_end()) throw scanner_.error("nothing more on this line");
-        scanner_.next_line();
-        return *count;
+            throw scanner_.error(what + " (a whole number from " + std::to_string(least) + " to " +
+                                 std::to_string(most) + ")");
+        scanner_.leave_line([&] { return what; });
+        return static_cast<std::size_t>(*count);
     }
 
     /// owner() names what the point belongs to; it is put into words only for an error.
@@ -67,26 +57,18 @@ class ProblemReader {
         return {x, y};
     }
 
-    std::vector<Point> read_positions(std::uint64_t asv_count, const std::string& where) {
+    std::vector<Point> read_positions(std::size_t asv_count, const std::string& where) {
         std::vector<Point> positions;
-        for (std::uint64_t i = 0; i < asv_count; ++i) {
+        for (std::size_t i = 0; i < asv_count; ++i) {
             positions.push_back(
                 read_point([&] { return "ASV " + std::to_string(i + 1) + " of " + where; }));
         }
-        std::size_t extra = 0;
-        while (!scanner_.at_line_end()) {
-            if (!scanner_.number()) throw scanner_.error("a number or the end of the line");
-            ++extra;
-        }
-        if (extra > 0) {
-            warn("more than " + std::to_string(asv_count) + " positions for " + where +
-                 ": the last " + std::to_string(extra) + " numbers ignored");
-        }
-        scanner_.next_line();
+        scanner_.leave_line(
+            [&] { return "ASV " + std::to_string(asv_count) + ", the last one of " + where; });
         return positions;
     }
 
-    Box read_obstacle(std::uint64_t index, std::uint64_t obstacle_count) {
+    Box read_obstacle(std::size_t index, std::size_t obstacle_count) {
         if (scanner_.at_end()) {
             throw scanner_.error("obstacle " + std::to_string(index + 1) + " of " +
                                  std::to_string(obstacle_count));
@@ -98,10 +80,10 @@ class ProblemReader {
                        std::to_string(index + 1);
             });
         }
-        if (!scanner_.at_line_end()) throw scanner_.error("nothing more after the fourth corner");
         const Box box = bounding_box(corners);
         warn_about_corners(corners, box, index);
-        scanner_.next_line();
+        scanner_.leave_line(
+            [&] { return "the fourth corner of obstacle " + std::to_string(index + 1); });
         return box;
     }
 
@@ -115,36 +97,38 @@ class ProblemReader {
     }
 
     void warn_about_corners(const std::array<Point, 4>& corners, const Box& box,
-                            std::uint64_t index) {
+                            std::size_t index) {
         const std::array<Point, 4> ideal = {box.low, Point{box.high.x, box.low.y}, box.high,
                                             Point{box.low.x, box.high.y}};
         const auto is_corner = [&](const Point& point) {
             return std::find(ideal.begin(), ideal.end(), point) != ideal.end();
         };
-        const std::string obstacle = "obstacle " + std::to_string(index + 1);
-        if (box.low.x == box.high.x || box.low.y == box.high.y) {
-            warn(obstacle + " has no area");
-        } else if (corners == ideal) {
-            return;
-        } else if (std::is_permutation(corners.begin(), corners.end(), ideal.begin())) {
-            warn(obstacle + ": corners are not counter-clockwise from the lower left; " +
-                 "their bounding box is the obstacle");
+        const auto warn = [&](const std::string& what) {
+            scanner_.warn_about_line("obstacle " + std::to_string(index + 1) + what);
+        };
+        if (const auto why = why_it_vanishes(box, tolerance_)) warn(" " + *why);
+        if (corners == ideal) return;
+        if (std::is_permutation(corners.begin(), corners.end(), ideal.begin())) {
+            warn(": corners are not counter-clockwise from the lower left; " +
+                 std::string("their bounding box is the obstacle"));
         } else if (std::all_of(corners.begin(), corners.end(), is_corner)) {
-            warn(obstacle + ": a corner is given twice; the bounding box is the obstacle");
+            warn(": a corner is given twice; the bounding box is the obstacle");
         } else {
-            warn(obstacle + ": corners are not those of an upright rectangle; " +
-                 "their bounding box is the obstacle");
+            warn(": corners are not those of an upright rectangle; " +
+                 std::string("their bounding box is the obstacle"));
         }
     }
 
-    void warn_about_rest(std::uint64_t obstacle_count) {
+    void warn_about_rest(std::size_t obstacle_count) {
         while (scanner_.at_line_end()) scanner_.next_line();
-        warn("content after the last of " + std::to_string(obstacle_count) + " obstacles ignored");
+        scanner_.warn("ignored: what follows the last of " + std::to_string(obstacle_count) +
+                      (obstacle_count == 1 ? " obstacle" : " obstacles"));
     }
 
     Scanner scanner_;
+    std::size_t bytes_;
+    double tolerance_;
     ProblemFile result_;
-    std::size_t unlisted_warnings_ = 0;
 };
 
 void append_point(std::string& text, const Point& point, char end) {
@@ -161,14 +145,16 @@ void append_positions(std::string& text, const std::vector<Point>& positions) {
 
 }  // namespace
 
-ProblemFile parse_problem(std::string_view text, const std::string& name) {
-    return ProblemReader(text, name).read();
+ProblemFile parse_problem(std::string_view text, const std::string& name,
+                          const ReadOptions& options) {
+    return ProblemReader(text, name, options).read();
 }
 
-ProblemFile read_problem(const std::filesystem::path& file) {
+ProblemFile read_problem(const std::filesystem::path& file, const ReadOptions& options) {
     const std::string text = read_file(file);
-    if (is_scenario(text)) return parse_scenario(text, file.string(), file.parent_path());
-    return parse_problem(text, file.string());
+    if (is_scenario(text))
+        return parse_scenario(text, input_name(file), file.parent_path(), options);
+    return parse_problem(text, input_name(file), options);
 }
 
 void write_problem(const std::filesystem::path& file, const core::Problem& problem) {

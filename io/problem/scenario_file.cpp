@@ -1,11 +1,14 @@
 #include "io/problem/scenario_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <sstream>
 #include <vector>
 
 #include "core/chain/arm_kinematics.hpp"
-#include "io/map/map_file.hpp"
+#include "io/problem/scenario_map.hpp"
+#include "io/problem/thin_walls.hpp"
 #include "io/text/json_document.hpp"
 #include "io/text/parse_error.hpp"
 #include "io/text/scanner.hpp"
@@ -23,8 +26,9 @@ constexpr int format_version = 1;
 
 class ScenarioReader {
   public:
-    ScenarioReader(std::string_view text, const std::string& name, std::filesystem::path folder)
-        : document_(text, name), folder_(std::move(folder)) {}
+    ScenarioReader(std::string_view text, const std::string& name, std::filesystem::path folder,
+                   const ReadOptions& options)
+        : document_(text, name), folder_(std::move(folder)), options_(options) {}
 
     ProblemFile read() {
         document_.require_members(root_, {"version", "body", "start", "goal"},
@@ -37,10 +41,9 @@ class ScenarioReader {
         read_obstacles();
         if (document_.has(root_ / "map")) read_map_of_cells();
         read_body();
-        return {std::move(problem_),
-                {},
-                document_.line(root_ / "start"),
-                document_.line(root_ / "goal")};
+        warn_about_many_steps();
+        return {std::move(problem_), warnings_.take(), document_.place(root_ / "start").line,
+                document_.place(root_ / "goal").line, std::move(maps_)};
     }
 
   private:
@@ -82,45 +85,61 @@ class ScenarioReader {
             document_.fail(at, "a rectangle with an area, or null");
     }
 
+    double tolerance() const {
+        return options_.tolerance.value_or(problem_.requirements.tolerance);
+    }
+
     void read_obstacles() {
         const Pointer at = root_ / "obstacles";
         if (!document_.has(at)) return;
         const std::size_t count = array_size(at, "an array of rectangles");
-        for (std::size_t i = 0; i < count; ++i) problem_.obstacles.push_back(read_box(at / i));
+        if (count > max_obstacles)
+            document_.fail(at, "at most " + std::to_string(max_obstacles) + " rectangles");
+        problem_.obstacles.reserve(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            problem_.obstacles.push_back(read_box(at / i));
+            if (const auto why = why_it_vanishes(problem_.obstacles.back(), tolerance()))
+                warn(at / i, "the rectangle " + *why);
+        }
     }
 
     /// Where the scenario sets no bounds, those of the map hold.
     void read_map_of_cells() {
         const Pointer at = root_ / "map";
-        document_.require_members(at, {"file"}, {"threshold", "cell", "origin"});
-        const double cell = document_.has(at / "cell")
-                                ? document_.number(at / "cell", min_positive, largest_number)
-                                : 1;
-        const double threshold = document_.has(at / "threshold")
-                                     ? document_.number(at / "threshold", 0, 255)
-                                     : default_threshold;
-        const Point origin = document_.has(at / "origin") ? read_point(at / "origin") : Point{0, 0};
-        const geometry::Grid grid = grid_at(at / "file", threshold);
-        const auto box = [&](const geometry::CellRectangle& r) {
-            const auto place = [&](double start, std::size_t cells) {
-                return start + cell * static_cast<double>(cells);
-            };
-            return Box{{place(origin.x, r.left), place(origin.y, r.bottom)},
-                       {place(origin.x, r.right), place(origin.y, r.top)}};
-        };
-        for (const geometry::CellRectangle& r : geometry::cover(grid))
-            problem_.obstacles.push_back(box(r));
-        if (!document_.has(root_ / "bounds"))
-            problem_.requirements.bounds = box({0, 0, grid.width, grid.height});
+        ScenarioMap map = read_scenario_map(document_, at, folder_, options_);
+        std::vector<Box>& obstacles = problem_.obstacles;
+        if (obstacles.size() + map.obstacles.size() > max_obstacles)
+            document_.fail(at, "at most " + std::to_string(max_obstacles) + " obstacles in all");
+        const auto vanishes = [&](const Box& box) { return why_it_vanishes(box, tolerance()); };
+        const auto thin = std::find_if(map.obstacles.begin(), map.obstacles.end(), vanishes);
+        if (thin != map.obstacles.end()) warn(at, "a rectangle of cells " + *vanishes(*thin));
+        obstacles.insert(obstacles.end(), map.obstacles.begin(), map.obstacles.end());
+        maps_.push_back(map.file);
+        if (!document_.has(root_ / "bounds")) problem_.requirements.bounds = map.bounds;
     }
 
-    geometry::Grid grid_at(const Pointer& at, double threshold) const {
-        const std::filesystem::path file = folder_ / document_.text(at);
-        try {
-            return read_map(file, threshold);
-        } catch (const ReadError& error) {
-            document_.fail(at, "a map that can be read (" + std::string(error.what()) + ")");
+    /// A step that does not suit the field makes paths of which nobody knows why they take so long.
+    void warn_about_many_steps() {
+        constexpr double many = 1e6;
+        double farthest = 0;
+        for (std::size_t i = 0; i < problem_.start.size(); ++i) {
+            const Point& from = problem_.start[i];
+            const Point& to = problem_.goal[i];
+            farthest = std::max(farthest, std::hypot(to.x - from.x, to.y - from.y));
         }
+        const double steps = farthest / problem_.requirements.max_step;
+        if (!(steps > many)) return;
+        std::ostringstream text;
+        text << "any path has " << steps << " steps of " << problem_.requirements.max_step
+             << " or more; a larger \"step\" would suit this field: the goal is " << farthest
+             << " away";
+        warn(root_ / "goal", text.str());
+    }
+
+    void warn(const Pointer& at, const std::string& message) {
+        // To find a place takes a walk through the text.
+        if (warnings_.is_full()) return warnings_.add({});
+        warnings_.add(document_.warning(at, message));
     }
 
     void read_body() {
@@ -159,6 +178,7 @@ class ScenarioReader {
         const std::string what = wanted == 0 ? "an array of points [x, y], one for each ASV"
                                              : "an array of " + std::to_string(wanted) + " points";
         const std::size_t count = array_size(at, what);
+        if (count > max_asvs) document_.fail(at, "at most " + std::to_string(max_asvs) + " points");
         if (count == 0 || (wanted != 0 && count != wanted)) document_.fail(at, what);
         std::vector<Point> positions;
         for (std::size_t i = 0; i < count; ++i) positions.push_back(read_point(at / i));
@@ -171,6 +191,8 @@ class ScenarioReader {
         const Point base = read_point(at / "base");
         const std::size_t count = array_size(at / "links", "an array of link lengths");
         if (count == 0) document_.fail(at / "links", "at least one link length");
+        if (count > max_asvs)
+            document_.fail(at / "links", "at most " + std::to_string(max_asvs) + " links");
         for (std::size_t i = 0; i < count; ++i)
             arm.links.push_back(document_.number(at / "links" / i, min_positive, largest_number));
         const std::string angles = document_.text(at / "angles");
@@ -228,7 +250,10 @@ class ScenarioReader {
     const Pointer root_;
     JsonDocument document_;
     std::filesystem::path folder_;
+    ReadOptions options_;
     Problem problem_;
+    WarningList warnings_;
+    std::vector<std::filesystem::path> maps_;
 };
 
 }  // namespace
@@ -240,8 +265,8 @@ bool is_scenario(std::string_view text) {
 }
 
 ProblemFile parse_scenario(std::string_view text, const std::string& name,
-                           const std::filesystem::path& folder) {
-    return ScenarioReader(text, name, folder).read();
+                           const std::filesystem::path& folder, const ReadOptions& options) {
+    return ScenarioReader(text, name, folder, options).read();
 }
 
 }  // namespace asv::io

@@ -12,9 +12,10 @@ namespace asv::io {
 bool is_scenario(std::string_view text);
 
 /// Reads a scenario: a problem as JSON, with any of the bodies, bounds, units and maps (see
-/// docs/scenario.md). Maps are looked for in the given folder. Unknown members are errors. Throws
-/// ParseError, which names the place by line, column and JSON path.
+/// docs/scenario.md). Maps are looked for below the given folder. Unknown members and members given
+/// twice are errors; obstacles that vanish and steps that do not suit the field are warnings.
+/// Throws ParseError, which names the place by line, column and JSON path.
 ProblemFile parse_scenario(std::string_view text, const std::string& name,
-                           const std::filesystem::path& folder);
+                           const std::filesystem::path& folder, const ReadOptions& options = {});
 
 }  // namespace asv::io

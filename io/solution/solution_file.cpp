@@ -14,66 +14,102 @@ namespace {
 
 using geometry::Point;
 
-struct Header {
-    std::uint64_t steps;
-    double cost;
+class SolutionReader {
+  public:
+    SolutionReader(std::string_view text, std::size_t asv_count, const std::string& name)
+        : scanner_(text, name), asv_count_(asv_count), bytes_(text.size()) {}
+
+    core::Solution read() {
+        const std::size_t steps = read_steps();
+        const double cost =
+            scanner_.require_number([] { return std::string("a number (the total cost)"); });
+        scanner_.leave_line([] { return std::string("the total cost"); });
+        core::Solution solution{core::Path(asv_count_), cost};
+        // A position takes at least four characters, so that a false count reserves no more than
+        // the text can fill.
+        solution.path.reserve(std::min(steps, bytes_ / asv_count_ / 4 + 1) + 1);
+        std::vector<Point> state(asv_count_);
+        for (std::size_t i = 0; i <= steps; ++i) {
+            if (scanner_.at_end()) {
+                throw scanner_.error("state " + std::to_string(i) + " of 0 to " +
+                                     std::to_string(steps));
+            }
+            read_state(i, state);
+            solution.path.push_back(state);
+        }
+        if (!scanner_.at_end()) warn_about_rest(steps);
+        return solution;
+    }
+
+    void take_warnings(std::vector<Warning>& all) {
+        std::vector<Warning> found = scanner_.take_warnings();
+        if (surplus_lines_ > 1) {
+            for (Warning& warning : found)
+                if (warning.line == first_surplus_line_ &&
+                    warning.message.starts_with("ignored after"))
+                    warning.message +=
+                        " (and so on " + std::to_string(surplus_lines_ - 1) + " further lines)";
+        }
+        all.insert(all.end(), found.begin(), found.end());
+    }
+
+  private:
+    std::size_t read_steps() {
+        const std::size_t most = max_path_positions / asv_count_ - 1;
+        const std::optional<std::uint64_t> steps = scanner_.count(0, most);
+        if (!steps)
+            throw scanner_.error("the number of primitive steps (a whole number from 0 to " +
+                                 std::to_string(most) + ")");
+        return static_cast<std::size_t>(*steps);
+    }
+
+    void read_state(std::size_t index, std::vector<Point>& state) {
+        const auto expected = [&](char axis, std::size_t asv) {
+            return std::string("a number (") + axis + " of ASV " + std::to_string(asv + 1) +
+                   " in state " + std::to_string(index) + ")";
+        };
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            state[i].x = scanner_.require_number([&] { return expected('x', i); });
+            state[i].y = scanner_.require_number([&] { return expected('y', i); });
+        }
+        leave_state();
+    }
+
+    /// Where every line has a number too many, one warning tells of all.
+    void leave_state() {
+        if (scanner_.at_line_end() || surplus_lines_++ > 0) return scanner_.next_line();
+        first_surplus_line_ = scanner_.line();
+        scanner_.leave_line(
+            [&] { return "ASV " + std::to_string(asv_count_) + ", the last one of a state"; });
+    }
+
+    void warn_about_rest(std::size_t steps) {
+        while (scanner_.at_line_end()) scanner_.next_line();
+        scanner_.warn("ignored: what follows state " + std::to_string(steps) + ", the last one");
+    }
+
+    Scanner scanner_;
+    std::size_t asv_count_;
+    std::size_t bytes_;
+    std::size_t surplus_lines_ = 0;
+    std::size_t first_surplus_line_ = 0;
 };
-
-Header read_header(Scanner& scanner) {
-    const std::optional<std::uint64_t> steps = scanner.count(0);
-    if (!steps) throw scanner.error("the number of primitive steps (a whole number, at least 0)");
-    const double cost =
-        scanner.require_number([] { return std::string("a number (the total cost)"); });
-    if (!scanner.at_line_end()) throw scanner.error("nothing more on this line");
-    scanner.next_line();
-    return {*steps, cost};
-}
-
-void read_state(Scanner& scanner, std::uint64_t index, std::vector<Point>& state) {
-    const auto expected = [&](char axis, std::size_t asv) {
-        return std::string("a number (") + axis + " of ASV " + std::to_string(asv + 1) +
-               " in state " + std::to_string(index) + ")";
-    };
-    for (std::size_t i = 0; i < state.size(); ++i) {
-        state[i].x = scanner.require_number([&] { return expected('x', i); });
-        state[i].y = scanner.require_number([&] { return expected('y', i); });
-    }
-    if (!scanner.at_line_end()) {
-        throw scanner.error("the end of the line after " + std::to_string(state.size()) +
-                            " positions");
-    }
-    scanner.next_line();
-}
 
 }  // namespace
 
-core::Solution parse_solution(std::string_view text, std::size_t asv_count,
-                              const std::string& name) {
-    if (asv_count == 0) throw std::invalid_argument("parse_solution: asv_count is 0");
-    Scanner scanner(text, name);
-    const auto [steps, cost] = read_header(scanner);
-    core::Solution solution{core::Path(asv_count), cost};
-    // A position takes at least four characters, so that a false count reserves no more than the
-    // text can fill.
-    const std::size_t max_states = text.size() / asv_count / 4 + 1;
-    solution.path.reserve(std::min<std::uint64_t>(steps, max_states) + 1);
-    std::vector<Point> state(asv_count);
-    for (std::uint64_t i = 0; i <= steps; ++i) {
-        if (scanner.at_end()) {
-            throw scanner.error("state " + std::to_string(i) + " of 0 to " + std::to_string(steps));
-        }
-        read_state(scanner, i, state);
-        solution.path.push_back(state);
-    }
-    if (!scanner.at_end()) {
-        throw scanner.error("the end of the file after " + std::to_string(steps) +
-                            " primitive steps");
-    }
+core::Solution parse_solution(std::string_view text, std::size_t asv_count, const std::string& name,
+                              std::vector<Warning>* warnings) {
+    if (asv_count == 0 || asv_count > max_path_positions)
+        throw std::invalid_argument("parse_solution: no such number of ASVs");
+    SolutionReader reader(text, asv_count, name);
+    core::Solution solution = reader.read();
+    if (warnings != nullptr) reader.take_warnings(*warnings);
     return solution;
 }
 
-core::Solution read_solution(const std::filesystem::path& file, std::size_t asv_count) {
-    return parse_solution(read_file(file), asv_count, file.string());
+core::Solution read_solution(const std::filesystem::path& file, std::size_t asv_count,
+                             std::vector<Warning>* warnings) {
+    return parse_solution(read_file(file), asv_count, input_name(file), warnings);
 }
 
 void write_solution(const std::filesystem::path& file, const core::Solution& solution) {

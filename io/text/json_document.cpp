@@ -4,7 +4,7 @@
 #include <limits>
 #include <sstream>
 
-#include "io/text/json_place.hpp"
+#include "io/text/json_limits.hpp"
 #include "io/text/parse_error.hpp"
 #include "io/text/scanner.hpp"
 
@@ -39,6 +39,10 @@ bool is_in(const Json& value, std::int64_t low, std::int64_t high) {
 
 JsonDocument::JsonDocument(std::string_view text, std::string name)
     : text_(text), name_(std::move(name)) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    text_ = text;
+    require_modest_json(text, name_);
     try {
         root_ = Json::parse(text);
     } catch (const Json::parse_error& error) {
@@ -54,6 +58,7 @@ JsonDocument::JsonDocument(std::string_view text, std::string name)
         throw ParseError(name_, place.line, place.column, "a number within the range of a double",
                          number);
     }
+    require_unique_members(text, name_);
 }
 
 void JsonDocument::fail(const Pointer& at, const std::string& expected) const {
@@ -64,8 +69,13 @@ void JsonDocument::fail(const Pointer& at, const std::string& expected) const {
                      found);
 }
 
-std::size_t JsonDocument::line(const Pointer& at) const {
-    return place_of_value(text_, at.to_string()).line;
+TextPlace JsonDocument::place(const Pointer& at) const {
+    return place_of_value(text_, at.to_string());
+}
+
+Warning JsonDocument::warning(const Pointer& at, const std::string& message) const {
+    const TextPlace found = place(at);
+    return {name_, found.line, found.column, message + " at " + readable_path(at.to_string())};
 }
 
 void JsonDocument::require_object(const Pointer& at) const {

@@ -8,6 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/text/json_place.hpp"
+#include "io/text/warning.hpp"
+
 namespace asv::io {
 
 /// A JSON text that was read, and the complaints about what stands in it. Every ParseError from
@@ -18,7 +21,8 @@ class JsonDocument {
     using Json = nlohmann::json;
     using Pointer = Json::json_pointer;
 
-    /// Keeps a view of the text. Throws ParseError when it is not JSON.
+    /// Keeps a view of the text. Throws ParseError when it is not JSON, nests too deep or holds too
+    /// much (json_limits.hpp), or has a member twice. A byte order mark is stepped over.
     JsonDocument(std::string_view text, std::string name);
 
     [[noreturn]] void fail(const Pointer& at, const std::string& expected) const;
@@ -29,8 +33,11 @@ class JsonDocument {
     bool is_number(const Pointer& at) const { return has(at) && root_.at(at).is_number(); }
     bool is_text(const Pointer& at) const { return has(at) && root_.at(at).is_string(); }
 
-    /// The line on which the value there begins.
-    std::size_t line(const Pointer& at) const;
+    /// Where the value there begins.
+    TextPlace place(const Pointer& at) const;
+
+    /// A warning about the value there: "MESSAGE at obstacles[3]".
+    Warning warning(const Pointer& at, const std::string& message) const;
 
     /// Throws ParseError unless there is an object.
     void require_object(const Pointer& at) const;

@@ -7,8 +7,8 @@
 namespace asv::io {
 
 /// What could not be understood, and where. what() reads
-/// "FILE:LINE:COLUMN: expected EXPECTED, found FOUND"; line and column count from 1, columns in
-/// bytes.
+/// "FILE:LINE:COLUMN: expected EXPECTED, found FOUND", fit for a terminal whatever the file holds;
+/// line and column count from 1, columns in bytes.
 class ParseError : public std::runtime_error {
   public:
     ParseError(std::string file, std::size_t line, std::size_t column, std::string expected,
@@ -28,10 +28,10 @@ class ParseError : public std::runtime_error {
     std::string found_;
 };
 
-/// A file that cannot be opened, read or written: what() reads "FILE: REASON".
+/// A file that cannot be opened, read or written: what() reads "FILE: REASON", fit for a terminal.
 class FileError : public std::runtime_error {
   public:
-    using std::runtime_error::runtime_error;
+    explicit FileError(const std::string& message);
 };
 
 /// An input that cannot be opened or read.

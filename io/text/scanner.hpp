@@ -6,8 +6,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "io/text/parse_error.hpp"
+#include "io/text/warning.hpp"
 
 namespace asv::io {
 
@@ -15,16 +18,16 @@ namespace asv::io {
 /// later computation overflows.
 inline constexpr double largest_number = 1e70;
 
-/// Walks over a text of numbers in lines and knows where it is. Blanks are spaces, tabs, carriage
-/// returns, vertical tabs and form feeds, so CRLF reads like LF; a line ends at LF or at the end
-/// of the text. The text has to outlive the scanner.
+/// Walks over a text of numbers in lines, knows where it is, and collects what it had to forgive.
+/// Blanks are spaces, tabs, vertical tabs and form feeds; a line ends at LF, at CRLF, at a lone CR
+/// (which is warned about) or at the end of the text. The text has to outlive the scanner.
 class Scanner {
   public:
-    /// name stands for the file in error messages. A UTF-8 byte order mark is stepped over.
+    /// name stands for the file in messages. A UTF-8 byte order mark is stepped over, with a
+    /// warning.
     Scanner(std::string_view text, std::string name);
 
     const std::string& name() const { return name_; }
-    bool had_byte_order_mark() const { return had_byte_order_mark_; }
 
     /// The current line, from 1.
     std::size_t line() const { return line_; }
@@ -38,13 +41,35 @@ class Scanner {
     /// Goes to the beginning of the next line, or to the end of the text.
     void next_line();
 
+    /// The words that are left on this line, `"0.05" and 2 more words`; empty when there are none.
+    std::string rest_of_line();
+
+    /// Adds a warning about the next word of this line.
+    void warn(std::string message);
+    /// Likewise about the line as a whole.
+    void warn_about_line(std::string message) {
+        warnings_.add({name_, line_, 1, std::move(message)});
+    }
+
+    /// Steps to the next line; what is left on this one is warned about: "ignored after AFTER:
+    /// ...".
+    template <std::invocable After>
+    void leave_line(const After& after) {
+        if (!at_line_end()) warn("ignored after " + after() + ": " + rest_of_line());
+        next_line();
+    }
+
+    /// All that was forgiven so far; each is told once.
+    std::vector<Warning> take_warnings();
+
     /// The next word of this line as a number, and steps over it; none, without stepping over it,
     /// when the line is at its end or the word is no decimal number of at most largest_number in
-    /// size ("nan", "inf", "0x1", "1e", "0,5"). A leading plus sign is allowed.
+    /// size ("nan", "inf", "0x1", "1e", "0,5"). A leading plus sign is allowed. What is too small
+    /// for a double ("1e-400") is 0, with a warning.
     std::optional<double> number();
 
-    /// The same for a whole number of at least the given size, without point and exponent.
-    std::optional<std::uint64_t> count(std::uint64_t least);
+    /// The same for a whole number from least to most, without point and exponent.
+    std::optional<std::uint64_t> count(std::uint64_t least, std::uint64_t most);
 
     /// The next number, or an error saying that expected() was due.
     template <std::invocable Expected>
@@ -58,7 +83,12 @@ class Scanner {
 
   private:
     void skip_blanks();
+    bool at_newline() const {
+        return position_ == end_ || *position_ == '\n' || *position_ == '\r';
+    }
+    std::size_t column() const { return static_cast<std::size_t>(position_ - line_begin_) + 1; }
     std::string_view word() const;
+    std::optional<double> underflown(const char* first, const char* last);
     std::string describe_word() const;
     template <typename Number>
     std::optional<Number> take();
@@ -68,7 +98,9 @@ class Scanner {
     const char* end_;
     std::size_t line_ = 1;
     std::string name_;
-    bool had_byte_order_mark_ = false;
+    WarningList warnings_;
+    std::size_t lone_returns_ = 0;
+    std::size_t first_return_line_ = 0, first_return_column_ = 0;
 };
 
 }  // namespace asv::io

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -22,9 +23,11 @@
 #include "tools/bench/machine.hpp"
 #include "tools/bench/run_launcher.hpp"
 #include "tools/common/command_line.hpp"
+#include "tools/common/file_roles.hpp"
 #include "tools/common/interrupt.hpp"
 #include "tools/common/number_options.hpp"
 #include "tools/common/progress_line.hpp"
+#include "tools/common/reading.hpp"
 
 namespace {
 
@@ -40,20 +43,23 @@ struct Arguments {
     std::vector<std::string> problems;
     std::vector<std::string> planners = {"auto"};
     std::string direction = "forward";
-    std::string table = "-";
+    std::string table;
     std::string csv, json, ompl_log, database;
     std::vector<path> plots;
     std::string theme = "light";
     core::BenchmarkPlan plan;
+    io::ReadOptions reading;
 };
 
 constexpr std::uint64_t max_seeds = 1'000'000;
 
 void add_plan_options(CLI::App& app, Arguments& arguments) {
     core::BenchmarkPlan& plan = arguments.plan;
-    app.add_option("PROBLEMS", arguments.problems, "Problem files and scenarios")
+    app.add_option("PROBLEMS", arguments.problems,
+                   "Problem files and scenarios; - for standard input")
         ->type_name(asv::tools::problem_file)
         ->required();
+    asv::tools::add_reading_options(app, arguments.reading);
     app.add_option("--planner", arguments.planners,
                    "\"[LABEL:] NAME [KEY=VALUE]...\": a planner with settings, see asv-solve "
                    "--list-planners; \"all\" for every planner; may be repeated")
@@ -87,9 +93,10 @@ void add_plan_options(CLI::App& app, Arguments& arguments) {
 }
 
 void add_output_options(CLI::App& app, Arguments& arguments) {
-    app.add_option("--table", arguments.table, "Markdown table; - for standard output")
-        ->type_name("FILE.md")
-        ->capture_default_str();
+    app.add_option("--table", arguments.table,
+                   "Markdown table; - for standard output, where it goes anyway unless another "
+                   "output does")
+        ->type_name("FILE.md");
     app.add_option("--csv", arguments.csv, "Write one line for each run as CSV")
         ->type_name("FILE.csv");
     app.add_option("--json", arguments.json,
@@ -102,7 +109,8 @@ void add_output_options(CLI::App& app, Arguments& arguments) {
     app.add_option("--database", arguments.database, "Write an SQLite database for Planner Arena")
         ->type_name("FILE.db|.sqlite");
     app.add_option("--plot", arguments.plots,
-                   "Draw shares solved over time and costs: .svg, .png or .pdf; may be repeated")
+                   "Draw shares solved over time and costs: .svg, .png or .pdf, or - for an SVG on "
+                   "standard output; may be repeated")
         ->type_name("FILE.svg|.png|.pdf")
         ->allow_extra_args(false);
     app.add_option("--theme", arguments.theme, "Colours of the plot: light or dark")
@@ -112,7 +120,7 @@ void add_output_options(CLI::App& app, Arguments& arguments) {
 
 io::PictureFormat format_of(const path& file) {
     const std::string ending = file.extension().string();
-    if (ending == ".svg") return io::PictureFormat::svg;
+    if (ending == ".svg" || file == io::standard_stream) return io::PictureFormat::svg;
     if (ending == ".png") return io::PictureFormat::png;
     if (ending == ".pdf") return io::PictureFormat::pdf;
     throw UsageError("--plot " + file.string() + ": must end in .svg, .png or .pdf");
@@ -125,6 +133,25 @@ void complete_plan(Arguments& arguments) {
     plan.directions.clear();
     if (arguments.direction != "reversed") plan.directions.push_back(core::Direction::forward);
     if (arguments.direction != "forward") plan.directions.push_back(core::Direction::reversed);
+}
+
+asv::tools::FileRoles roles_of(const Arguments& arguments) {
+    asv::tools::FileRoles roles;
+    for (const std::string& file : arguments.problems) roles.add_input("PROBLEM", file);
+    roles.add_output("--table", arguments.table);
+    roles.add_output("--csv", arguments.csv);
+    roles.add_output("--json", arguments.json);
+    roles.add_output("--database", arguments.database);
+    for (const path& file : arguments.plots) roles.add_output("--plot", file);
+    return roles;
+}
+
+/// The table goes to standard output where nothing else does.
+void choose_table(Arguments& arguments) {
+    std::vector<path> others{arguments.csv, arguments.json, arguments.ompl_log, arguments.database};
+    others.insert(others.end(), arguments.plots.begin(), arguments.plots.end());
+    const bool taken = std::find(others.begin(), others.end(), io::standard_stream) != others.end();
+    if (arguments.table.empty() && !taken) arguments.table = io::standard_stream;
 }
 
 /// A file to write, and its content.
@@ -229,9 +256,16 @@ ExitCode report_fault(const core::BenchmarkPlan& plan, const core::BenchmarkRun&
 
 ExitCode bench(const CommandLine& command_line, Arguments& arguments) {
     complete_plan(arguments);
+    choose_table(arguments);
+    asv::tools::FileRoles roles = roles_of(arguments);
+    roles.require_distinct();
     core::BenchmarkPlan& plan = arguments.plan;
-    if (!asv::tools::read_problems(command_line, arguments.problems, plan.problems))
+    if (!asv::tools::read_problems(command_line, arguments.problems, arguments.reading, roles,
+                                   plan.problems))
         return ExitCode::bad_input;
+    for (const path& file : asv::tools::log_files(plan, arguments.ompl_log))
+        roles.add_output("--ompl-log", file);
+    roles.require_distinct();
     asv::tools::require_usable(plan);
     asv::tools::warn_of_idle_settings(command_line, plan);
     require_places(arguments);

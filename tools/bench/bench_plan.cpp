@@ -8,7 +8,10 @@
 #include <sstream>
 
 #include "core/solve/idle_settings.hpp"
+#include "io/benchmark/ompl_log.hpp"
 #include "io/problem/problem_file.hpp"
+#include "io/text/atomic_file.hpp"
+#include "io/text/escape.hpp"
 #include "io/text/parse_error.hpp"
 
 namespace asv::tools {
@@ -37,7 +40,8 @@ void set_one(core::BenchmarkPlanner& planner, const std::string& setting) {
 bool accept(const std::string& file, const io::ProblemFile& read) {
     const auto invalid = core::invalid_ends(read.problem);
     for (const core::InvalidEnd& end : invalid)
-        std::cerr << file << ':' << (end.goal ? read.goal_line : read.start_line) << ": "
+        std::cerr << io::escaped(io::input_name(file)) << ':'
+                  << (end.goal ? read.goal_line : read.start_line) << ": "
                   << (end.goal ? "goal" : "start") << " is not valid: " << end.reason << '\n';
     return invalid.empty();
 }
@@ -96,6 +100,7 @@ std::vector<std::string> problem_names(const std::vector<std::string>& files) {
 }
 
 bool read_problems(const CommandLine& command_line, const std::vector<std::string>& files,
+                   const io::ReadOptions& reading, FileRoles& roles,
                    std::vector<core::BenchmarkProblem>& problems) {
     if (std::set<std::string>(files.begin(), files.end()).size() != files.size())
         throw UsageError("a problem is given twice");
@@ -103,8 +108,9 @@ bool read_problems(const CommandLine& command_line, const std::vector<std::strin
     bool all_good = true;
     for (std::size_t i = 0; i < files.size(); ++i) {
         try {
-            io::ProblemFile read = io::read_problem(files[i]);
+            io::ProblemFile read = io::read_problem(files[i], reading);
             command_line.print(read.warnings);
+            roles.add_maps(read);
             all_good = accept(files[i], read) && all_good;
             problems.push_back({names[i], files[i], std::move(read.problem)});
         } catch (const io::ParseError& error) {
@@ -116,6 +122,24 @@ bool read_problems(const CommandLine& command_line, const std::vector<std::strin
         }
     }
     return all_good;
+}
+
+std::vector<std::filesystem::path> log_files(const core::BenchmarkPlan& plan,
+                                             const std::string& name) {
+    std::vector<std::filesystem::path> files;
+    if (name.empty()) return files;
+    io::BenchmarkReport outline;
+    outline.plan = plan;
+    for (const core::RunPlace& place : core::places(plan)) {
+        outline.runs.emplace_back();
+        outline.runs.back().place = place;
+    }
+    const bool several = plan.problems.size() * plan.directions.size() > 1;
+    if (several && name == io::standard_stream)
+        throw UsageError("--ompl-log - holds one problem in one direction, not several");
+    for (const io::Experiment& experiment : io::experiments(outline))
+        files.push_back(io::ompl_log_file(name, experiment, several));
+    return files;
 }
 
 void require_usable(const core::BenchmarkPlan& plan) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/benchmark/plan.hpp"
 #include "tools/common/command_line.hpp"
+#include "tools/common/file_roles.hpp"
 
 namespace asv::tools {
 
@@ -22,9 +24,15 @@ std::vector<std::string> problem_names(const std::vector<std::string>& files);
 
 /// Reads the files and checks that start and goal of each are valid. Tells on standard error
 /// everything that is wrong with any of them. Returns false when there was something, and the plan
-/// cannot be run. Warnings are told as those of asv-solve.
+/// cannot be run. Warnings are told as those of asv-solve. Maps are added to the roles.
 bool read_problems(const CommandLine& command_line, const std::vector<std::string>& files,
+                   const io::ReadOptions& reading, FileRoles& roles,
                    std::vector<core::BenchmarkProblem>& problems);
+
+/// The text logs that --ompl-log gives, one for each problem and direction of the plan; none where
+/// the name is empty.
+std::vector<std::filesystem::path> log_files(const core::BenchmarkPlan& plan,
+                                             const std::string& name);
 
 /// Throws UsageError when a planner's settings do not suit the body of a problem.
 void require_usable(const core::BenchmarkPlan& plan);

@@ -1,6 +1,7 @@
 #include "tools/common/command_line.hpp"
 
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -107,6 +108,8 @@ ExitCode CommandLine::outcome(int argc, const char* const* argv,
                               const std::function<ExitCode()>& action) {
     ExitCode code = ExitCode::internal;
     end_on_interrupt();
+    // A file that may not grow further is then a failed write, not the end of the process.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         code = parse_and_act(argc, argv, action);
     } catch (const UsageError& error) {
@@ -133,8 +136,7 @@ ExitCode CommandLine::outcome(int argc, const char* const* argv,
 void CommandLine::print(std::span<const io::Warning> warnings) const {
     if (quiet_) return;
     for (const io::Warning& warning : warnings) {
-        std::cerr << warning.file << ':' << warning.line << ": warning: " << warning.message
-                  << '\n';
+        std::cerr << to_text(warning) << '\n';
     }
 }
 

@@ -37,7 +37,7 @@ class CommandLine {
     /// it.
     int run(int argc, const char* const* argv, const std::function<ExitCode()>& action) noexcept;
 
-    /// "FILE:LINE: warning: MESSAGE" on standard error, one line each; nothing with --quiet.
+    /// "FILE:LINE:COLUMN: warning: MESSAGE" on standard error, one line each; nothing with --quiet.
     void print(std::span<const io::Warning> warnings) const;
 
   private:

@@ -8,7 +8,10 @@
 #include "core/generate/vouch/vouch.hpp"
 #include "io/problem/generation_file.hpp"
 #include "io/problem/problem_file.hpp"
+#include "io/text/atomic_file.hpp"
+#include "io/text/escape.hpp"
 #include "tools/common/command_line.hpp"
+#include "tools/common/file_roles.hpp"
 #include "tools/generate/family_commands.hpp"
 #include "tools/generate/likeness.hpp"
 #include "tools/generate/option_kinds.hpp"
@@ -37,7 +40,8 @@ void add_common_options(CLI::App& app, Arguments& arguments) {
     app.add_option("--seed", arguments.seed, "Seed of all random draws")
         ->transform(asv::tools::whole_number(0, std::numeric_limits<std::uint64_t>::max()))
         ->capture_default_str();
-    app.add_option("-o,--output", arguments.output, "Problem file to write; required")
+    app.add_option("-o,--output", arguments.output,
+                   "Problem file to write; - for standard output; required")
         ->type_name("FILE.txt");
     asv::tools::add_choice<core::Orientation>(app, "--orientation", chain.orientation,
                                               "Of start and goal",
@@ -54,7 +58,7 @@ void add_common_options(CLI::App& app, Arguments& arguments) {
                            "Least distance of the first to the last ASV of start and goal");
     app.add_flag("--solvable", arguments.solvable,
                  "Check whether a simple path exists and write the verdict, solvable or unknown, "
-                 "with all parameters to OUTPUT.json");
+                 "with all parameters to OUTPUT.json (nowhere where OUTPUT is -)");
     asv::tools::add_count(app, "--attempts", arguments.attempts, {1, 1'000'000},
                           "With --solvable: draw up to so many problems until one is solvable for "
                           "certain, else keep the last");
@@ -80,6 +84,14 @@ std::vector<std::pair<std::string, std::string>> parameters(const CLI::App& app,
 
 ExitCode generate(const CommandLine& command_line, const CLI::App& app, const Family& family,
                   const Arguments& arguments) {
+    const std::string verdict_file =
+        arguments.solvable && arguments.output != asv::io::standard_stream
+            ? arguments.output + ".json"
+            : "";
+    asv::tools::FileRoles roles;
+    roles.add_output("-o", arguments.output);
+    roles.add_output("the verdict of --solvable", verdict_file);
+    roles.require_distinct();
     core::Rng rng(arguments.seed);
     core::Problem problem;
     core::Verdict verdict;
@@ -98,14 +110,15 @@ ExitCode generate(const CommandLine& command_line, const CLI::App& app, const Fa
     }
     asv::io::write_problem(arguments.output, problem);
     if (!arguments.solvable) return ExitCode::done;
-    asv::io::write_generation(
-        arguments.output + ".json",
-        {arguments.output, family.command->get_name(), problem.asv_count(),
-         problem.obstacles.size(), arguments.seed, attempt, parameters(app, *family.command),
-         verdict.solvable, verdict.reason, ASV_VERSION});
+    if (!verdict_file.empty())
+        asv::io::write_generation(
+            verdict_file,
+            {arguments.output, family.command->get_name(), problem.asv_count(),
+             problem.obstacles.size(), arguments.seed, attempt, parameters(app, *family.command),
+             verdict.solvable, verdict.reason, ASV_VERSION});
     if (!command_line.quiet())
-        std::cerr << arguments.output << ": " << (verdict.solvable ? "solvable" : "unknown") << ": "
-                  << verdict.reason << '\n';
+        std::cerr << asv::io::escaped(asv::io::output_name(arguments.output)) << ": "
+                  << (verdict.solvable ? "solvable" : "unknown") << ": " << verdict.reason << '\n';
     return ExitCode::done;
 }
 

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "tools/common/number_options.hpp"
+#include "tools/common/reading.hpp"
 #include "tools/solve/planner_list.hpp"
 
 namespace asv::tools {
@@ -32,10 +33,10 @@ void add_numbers(CLI::App& app, core::SolveOptions& solve) {
 }  // namespace
 
 void add_options(CLI::App& app, SolveArguments& arguments) {
-    app.add_option("PROBLEM", arguments.problem, "Problem file")
+    app.add_option("PROBLEM", arguments.problem, "Problem file; - for standard input")
         ->type_name(problem_file)
         ->required();
-    app.add_option("SOLUTION", arguments.solution, "Solution file to write")
+    app.add_option("SOLUTION", arguments.solution, "Solution file to write; - for standard output")
         ->type_name("FILE.txt")
         ->required();
     app.add_option("--planner", arguments.planner, "Planner, see --list-planners")
@@ -51,6 +52,7 @@ void add_options(CLI::App& app, SolveArguments& arguments) {
     app.add_option("--trees", arguments.trees,
                    "Write the search trees as JSON; left out where the time limit leaves none")
         ->type_name("FILE.json");
+    add_reading_options(app, arguments.reading);
     app.add_flag("--reverse", arguments.solve.reverse,
                  "Plan from goal to start; the file still leads from start to goal");
     CLI::Option* markdown =

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/solve/solve.hpp"
+#include "io/problem/reading.hpp"
 #include "tools/common/command_line.hpp"
 
 namespace asv::tools {
@@ -16,6 +17,7 @@ struct SolveArguments {
     bool markdown = false;
     bool quiet = false;
     core::SolveOptions solve;
+    io::ReadOptions reading;
     core::Clock::time_point started;  ///< when the process began
 };
 

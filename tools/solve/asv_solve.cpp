@@ -9,7 +9,9 @@
 #include "io/problem/problem_file.hpp"
 #include "io/solution/solution_file.hpp"
 #include "io/text/atomic_file.hpp"
+#include "io/text/escape.hpp"
 #include "tools/common/command_line.hpp"
+#include "tools/common/file_roles.hpp"
 #include "tools/common/progress_line.hpp"
 #include "tools/solve/arguments.hpp"
 #include "tools/solve/run_report.hpp"
@@ -34,6 +36,15 @@ std::optional<core::Clock::time_point> moment_of_limit(const Arguments& argument
     const std::chrono::duration<double> limit(arguments.solve.time_limit);
     if (limit.count() > never) return std::nullopt;
     return arguments.started + std::chrono::duration_cast<core::Clock::duration>(limit);
+}
+
+asv::tools::FileRoles roles_of(const Arguments& arguments) {
+    asv::tools::FileRoles roles;
+    roles.add_input("PROBLEM", arguments.problem);
+    roles.add_output("SOLUTION", arguments.solution);
+    roles.add_output("--stats", arguments.stats);
+    roles.add_output("--trees", arguments.trees);
+    return roles;
 }
 
 void require_usable(const Arguments& arguments, const core::Problem& problem) {
@@ -82,11 +93,15 @@ void write_outputs(const Arguments& arguments, const core::Problem& problem,
 ExitCode solve_file(const CommandLine& command_line, Arguments& arguments) {
     arguments.quiet = command_line.quiet();
     arguments.solve.planner = chosen_planner(arguments);
+    asv::tools::FileRoles roles = roles_of(arguments);
+    roles.require_distinct();
     std::atomic<core::SolveStatus> status = core::SolveStatus::timeout;
     RunWatch watch(moment_of_limit(arguments),
                    [&](const asv::tools::CutOff& at) { return give_up(arguments, at, status); });
-    const io::ProblemFile file = io::read_problem(arguments.problem);
+    const io::ProblemFile file = io::read_problem(arguments.problem, arguments.reading);
     command_line.print(file.warnings);
+    roles.add_maps(file);
+    roles.require_distinct();
     require_usable(arguments, file.problem);
     warn_of_doubtful(arguments, file);
     watch.enter(Stage::solving);

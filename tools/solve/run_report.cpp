@@ -11,6 +11,8 @@
 
 #include "io/solution/statistics_file.hpp"
 #include "io/solution/trees_file.hpp"
+#include "io/text/atomic_file.hpp"
+#include "io/text/escape.hpp"
 #include "tools/common/interrupt.hpp"
 
 namespace asv::tools {
@@ -125,10 +127,10 @@ void report(const SolveArguments& arguments, const core::SolveResult& result) {
 
 void report_invalid_ends(const SolveArguments& arguments, const io::ProblemFile& file,
                          const core::InvalidEnds& invalid) {
+    const std::string name = io::escaped(io::input_name(arguments.problem));
     for (const core::InvalidEnd& end : invalid.ends())
-        std::cerr << arguments.problem << ':' << (end.goal ? file.goal_line : file.start_line)
-                  << ": " << (end.goal ? "goal" : "start") << " is not valid: " << end.reason
-                  << '\n';
+        std::cerr << name << ':' << (end.goal ? file.goal_line : file.start_line) << ": "
+                  << (end.goal ? "goal" : "start") << " is not valid: " << end.reason << '\n';
 }
 
 std::string progress_text(const core::SolveProgress& progress) {

@@ -7,8 +7,11 @@
 #include "io/problem/problem_file.hpp"
 #include "io/solution/solution_file.hpp"
 #include "io/solution/validation_file.hpp"
+#include "io/text/atomic_file.hpp"
 #include "tools/common/command_line.hpp"
+#include "tools/common/file_roles.hpp"
 #include "tools/common/number_options.hpp"
+#include "tools/common/reading.hpp"
 
 namespace {
 
@@ -27,22 +30,37 @@ struct Arguments {
     std::string solution;
     std::string json;
     asv::core::ValidationOptions options;
+    asv::io::ReadOptions reading;
 };
 
+asv::tools::FileRoles roles_of(const Arguments& arguments) {
+    asv::tools::FileRoles roles;
+    roles.add_input("PROBLEM", arguments.problem);
+    roles.add_input("SOLUTION", arguments.solution);
+    roles.add_output("--json", arguments.json);
+    return roles;
+}
+
 void add_options(CLI::App& app, Arguments& arguments) {
-    app.add_option("PROBLEM", arguments.problem, "Problem file")
+    app.add_option("PROBLEM", arguments.problem, "Problem file; - for standard input")
         ->type_name(asv::tools::problem_file)
         ->required();
-    app.add_option("SOLUTION", arguments.solution,
-                   "Solution file; without it the problem's start and goal are checked")
+    app.add_option(
+           "SOLUTION", arguments.solution,
+           "Solution file, - for standard input; without it the problem's start and goal are "
+           "checked")
         ->type_name("FILE.txt");
     app.add_option("--tolerance", arguments.options.tolerance, "How lenient every requirement is")
         ->transform(asv::tools::number_from(0))
         ->capture_default_str();
     app.add_flag("--continuous", arguments.options.continuous,
                  "Also certify the motion between the primitive steps");
-    app.add_option("--json", arguments.json, "Write all results to this file as JSON")
+    app.add_option(
+           "--json", arguments.json,
+           "Write all results to this file as JSON; - for standard output, and the lines for "
+           "people go to standard error")
         ->type_name("FILE.json");
+    asv::tools::add_reading_options(app, arguments.reading);
     app.add_flag("--verbose", arguments.options.list_offenders, "List every violation");
 }
 
@@ -54,31 +72,33 @@ std::string place(const ValidatedPart& part, Check check, const Offender& offend
     return offender.time ? "on the way to " + text : text;
 }
 
-void print(const ValidatedPart& part, const CheckResult& result, const std::string& prefix) {
-    std::cout << std::left << std::setw(widest_name) << prefix + std::string(name(result.check))
-              << (result.ok() ? "ok      " : "FAILED  ");
-    if (!result.ok()) std::cout << result.failures << " of ";
+void print(std::ostream& out, const ValidatedPart& part, const CheckResult& result,
+           const std::string& prefix) {
+    out << std::left << std::setw(widest_name) << prefix + std::string(name(result.check))
+        << (result.ok() ? "ok      " : "FAILED  ");
+    if (!result.ok()) out << result.failures << " of ";
     const bool of_steps = result.check == Check::steps || !prefix.empty();
     if (result.check != Check::cost) {
-        std::cout << result.states << (of_steps ? " step" : " state")
-                  << (result.states == 1 ? ": " : "s: ");
+        out << result.states << (of_steps ? " step" : " state")
+            << (result.states == 1 ? ": " : "s: ");
     }
-    std::cout << describe(result);
-    if (result.worst) std::cout << " (" << place(part, result.check, *result.worst) << ')';
-    std::cout << '\n';
+    out << describe(result);
+    if (result.worst) out << " (" << place(part, result.check, *result.worst) << ')';
+    out << '\n';
     for (const Offender& offender : result.offenders) {
-        std::cout << "    " << place(part, result.check, offender) << ": "
-                  << describe(result.check, offender) << '\n';
+        out << "    " << place(part, result.check, offender) << ": "
+            << describe(result.check, offender) << '\n';
     }
 }
 
-void print(const ValidatedPart& part) {
-    if (part.name != "path") std::cout << part.name << '\n';
-    for (const CheckResult& result : part.report.checks) print(part, result, "");
-    for (const CheckResult& result : part.report.motion) print(part, result, "motion: ");
+void print(std::ostream& out, const ValidatedPart& part) {
+    if (part.name != "path") out << part.name << '\n';
+    for (const CheckResult& result : part.report.checks) print(out, part, result, "");
+    for (const CheckResult& result : part.report.motion) print(out, part, result, "motion: ");
 }
 
-std::vector<ValidatedPart> check(const asv::io::ProblemFile& file, const Arguments& arguments) {
+std::vector<ValidatedPart> check(const CommandLine& command_line, const asv::io::ProblemFile& file,
+                                 const Arguments& arguments) {
     const asv::core::Problem& problem = file.problem;
     using asv::core::validate_state;
     const auto& options = arguments.options;
@@ -86,7 +106,10 @@ std::vector<ValidatedPart> check(const asv::io::ProblemFile& file, const Argumen
         return {{"start", file.start_line, validate_state(problem, problem.start, options)},
                 {"goal", file.goal_line, validate_state(problem, problem.goal, options)}};
     }
-    const auto solution = asv::io::read_solution(arguments.solution, problem.asv_count());
+    std::vector<asv::io::Warning> warnings;
+    const auto solution =
+        asv::io::read_solution(arguments.solution, problem.asv_count(), &warnings);
+    command_line.print(warnings);
     return {{"path", 2, validate(problem, solution, options)}};
 }
 
@@ -94,12 +117,21 @@ ExitCode validate_files(const CommandLine& command_line, const Arguments& argume
     if (arguments.options.continuous && arguments.solution.empty()) {
         throw asv::tools::UsageError("--continuous needs a SOLUTION");
     }
-    const asv::io::ProblemFile file = asv::io::read_problem(arguments.problem);
+    asv::tools::FileRoles roles = roles_of(arguments);
+    roles.require_distinct();
+    asv::io::ReadOptions reading = arguments.reading;
+    reading.tolerance = arguments.options.tolerance;
+    const asv::io::ProblemFile file = asv::io::read_problem(arguments.problem, reading);
     command_line.print(file.warnings);
+    roles.add_maps(file);
+    roles.require_distinct();
     const ValidationSummary summary{arguments.problem, arguments.solution,
-                                    arguments.options.tolerance, check(file, arguments)};
-    for (const ValidatedPart& part : summary.parts) print(part);
-    std::cout << (summary.valid() ? "valid\n" : "not valid\n");
+                                    arguments.options.tolerance,
+                                    check(command_line, file, arguments)};
+    // What is meant for another program stays apart from what is meant for people.
+    std::ostream& out = arguments.json == asv::io::standard_stream ? std::cerr : std::cout;
+    for (const ValidatedPart& part : summary.parts) print(out, part);
+    out << (summary.valid() ? "valid\n" : "not valid\n");
     // The JSON may be told to follow on standard output.
     std::cout.flush();
     if (!arguments.json.empty()) write_validation(arguments.json, summary);

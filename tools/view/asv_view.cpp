@@ -11,7 +11,9 @@
 #include "io/player/player.hpp"
 #include "io/text/atomic_file.hpp"
 #include "tools/common/command_line.hpp"
+#include "tools/common/file_roles.hpp"
 #include "tools/common/number_options.hpp"
+#include "tools/common/reading.hpp"
 
 namespace {
 
@@ -20,6 +22,7 @@ using asv::io::PictureFormat;
 using asv::io::Theme;
 using asv::tools::CommandLine;
 using asv::tools::ExitCode;
+using asv::tools::FileRoles;
 using asv::tools::UsageError;
 using std::filesystem::path;
 
@@ -32,6 +35,8 @@ struct Arguments {
     std::string gallery;
     std::string solutions;
     std::string theme = "light";
+    std::string format = "svg";
+    asv::io::ReadOptions reading;
 };
 
 /// The kinds of output, by the ending of the file name; a page stands for the player.
@@ -42,13 +47,19 @@ const std::map<std::string, Kind> kinds{
 
 void add_options(CLI::App& app, Arguments& arguments) {
     app.add_option("FILES", arguments.inputs,
-                   "PROBLEM [SOLUTION]; with --gallery any number of problem files and folders")
+                   "PROBLEM [SOLUTION], - for standard input; with --gallery any number of problem "
+                   "files and folders")
         ->type_name(asv::tools::problem_file)
         ->required();
-    app.add_option("-o,--output", arguments.outputs,
-                   "File to write: .svg, .png, .pdf, or .html for the player; several -o allowed")
+    app.add_option(
+           "-o,--output", arguments.outputs,
+           "File to write: .svg, .png, .pdf, or .html for the player; - for standard output; "
+           "several -o allowed")
         ->type_name("FILE.svg|.png|.pdf|.html")
         ->allow_extra_args(false);
+    app.add_option("--format", arguments.format, "What -o - is: svg, png, pdf or html")
+        ->check(CLI::IsMember({"svg", "png", "pdf", "html"}))
+        ->capture_default_str();
     app.add_option("--trees", arguments.trees, "Search trees, as asv-solve --trees writes them")
         ->type_name("FILE.json");
     app.add_option("--stats", arguments.stats,
@@ -68,10 +79,12 @@ void add_options(CLI::App& app, Arguments& arguments) {
                    "With --gallery: where NAME.solution.txt, NAME.trees.json and NAME.stats.json "
                    "are, if not beside the problems")
         ->type_name("FOLDER");
+    asv::tools::add_reading_options(app, arguments.reading);
 }
 
-Kind kind_of(const path& file) {
-    const auto kind = kinds.find(file.extension().string());
+Kind kind_of(const Arguments& arguments, const path& file) {
+    const bool standard = file == asv::io::standard_stream;
+    const auto kind = kinds.find(standard ? "." + arguments.format : file.extension().string());
     if (kind == kinds.end()) {
         throw UsageError("-o " + file.string() + ": must end in .svg, .png, .pdf or .html");
     }
@@ -93,7 +106,7 @@ void check_usage(const Arguments& arguments) {
     if (!arguments.solutions.empty()) throw UsageError("--solutions needs --gallery");
     if (arguments.inputs.size() > 2) throw UsageError("expected PROBLEM [SOLUTION], found more");
     if (arguments.outputs.empty()) throw UsageError("-o FILE or --gallery OUT_DIR is required");
-    std::for_each(arguments.outputs.begin(), arguments.outputs.end(), kind_of);
+    for (const path& output : arguments.outputs) static_cast<void>(kind_of(arguments, output));
 }
 
 std::string produce(const Exhibit& exhibit, Kind kind, Theme theme) {
@@ -114,20 +127,40 @@ ExitCode show_one(const CommandLine& command_line, const Arguments& arguments) {
     asv::io::ExhibitFiles files{
         arguments.inputs[0], {}, given(arguments.trees), given(arguments.stats)};
     if (arguments.inputs.size() > 1) files.solution = arguments.inputs[1];
-    std::vector<asv::io::Warning> warnings;
-    Exhibit exhibit = read_exhibit(files, warnings);
-    command_line.print(warnings);
+    FileRoles roles;
+    roles.add_input("PROBLEM", files.problem);
+    if (files.solution) roles.add_input("SOLUTION", *files.solution);
+    roles.add_input("--trees", arguments.trees);
+    roles.add_input("--stats", arguments.stats);
+    for (const path& output : arguments.outputs) roles.add_output("-o", output);
+    roles.require_distinct();
+    asv::io::ReadingNotes notes;
+    Exhibit exhibit = read_exhibit(files, notes, arguments.reading);
+    command_line.print(notes.warnings);
+    for (const path& map : notes.maps) roles.add_input("the map of the scenario", map);
+    roles.require_distinct();
     if (arguments.bound) exhibit.lower_bound = arguments.bound;
     const Theme theme = arguments.theme == "dark" ? Theme::dark : Theme::light;
     for (const path& output : arguments.outputs) {
-        asv::io::write_file(output, produce(exhibit, kind_of(output), theme));
+        asv::io::write_file(output, produce(exhibit, kind_of(arguments, output), theme));
     }
     return ExitCode::done;
 }
 
 ExitCode show_gallery(const CommandLine& command_line, const Arguments& arguments) {
     const auto exhibits = asv::io::find_exhibits(arguments.inputs, given(arguments.solutions));
-    const asv::io::GalleryReport report = asv::io::write_gallery(arguments.gallery, exhibits);
+    FileRoles roles;
+    for (const asv::io::ExhibitFiles& files : exhibits) {
+        roles.add_input("a problem", files.problem);
+        if (files.solution) roles.add_input("a solution", *files.solution);
+        if (files.trees) roles.add_input("a file of trees", *files.trees);
+        if (files.stats) roles.add_input("a file of statistics", *files.stats);
+    }
+    for (const path& file : asv::io::gallery_files(arguments.gallery, exhibits))
+        roles.add_output("a file of the gallery", file);
+    roles.require_distinct();
+    const asv::io::GalleryReport report =
+        asv::io::write_gallery(arguments.gallery, exhibits, arguments.reading);
     command_line.print(report.warnings);
     for (const asv::io::GalleryFailure& failure : report.failures) {
         std::cerr << failure.reason << '\n';

@@ -52,6 +52,11 @@ cairo_surface_t* make_surface(PictureFormat format, double width, double height,
     throw std::invalid_argument("format: not a picture format");
 }
 
+void round_lines(cairo_t* cairo) {
+    cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+}
+
 }  // namespace
 
 struct Canvas::Handles {
@@ -63,10 +68,12 @@ struct Canvas::Handles {
     };
     std::unique_ptr<cairo_surface_t, FreeSurface> surface;
     std::unique_ptr<cairo_t, FreeContext> context;
+    std::unique_ptr<cairo_t, FreeContext> pixels;  ///< only between push_pixels and pop_pixels
+    Point pixels_at;
 };
 
 Canvas::Canvas(PictureFormat format, double width, double height, double pixels_per_point)
-    : format_(format), handles_(std::make_unique<Handles>()) {
+    : format_(format), pixels_per_point_(pixels_per_point), handles_(std::make_unique<Handles>()) {
     handles_->surface.reset(make_surface(format, width, height, pixels_per_point, bytes_));
     check(cairo_surface_status(handles_->surface.get()));
     // A point of cairo's svg is one px of the reader's screen, as it is in the html player.
@@ -77,8 +84,7 @@ Canvas::Canvas(PictureFormat format, double width, double height, double pixels_
     cairo_ = handles_->context.get();
     check(cairo_status(cairo_));
     if (format == PictureFormat::png) cairo_scale(cairo_, pixels_per_point, pixels_per_point);
-    cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_ROUND);
-    cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
+    round_lines(cairo_);
 }
 
 Canvas::~Canvas() = default;
@@ -215,6 +221,35 @@ void Canvas::push_clip_circle(const Point& centre, double radius) {
 
 void Canvas::pop_clip() {
     cairo_restore(cairo_);
+}
+
+void Canvas::push_pixels(const Box& box) {
+    if (format_ == PictureFormat::png) return;
+    const auto pixels = [&](double points) {
+        return static_cast<int>(std::ceil(points * pixels_per_point_));
+    };
+    cairo_surface_t* image = cairo_image_surface_create(
+        CAIRO_FORMAT_ARGB32, pixels(box.high.x - box.low.x), pixels(box.high.y - box.low.y));
+    handles_->pixels.reset(cairo_create(image));
+    cairo_surface_destroy(image);  // the context keeps it
+    handles_->pixels_at = box.low;
+    cairo_ = handles_->pixels.get();
+    cairo_scale(cairo_, pixels_per_point_, pixels_per_point_);
+    cairo_translate(cairo_, -box.low.x, -box.low.y);
+    round_lines(cairo_);
+}
+
+void Canvas::pop_pixels() {
+    if (format_ == PictureFormat::png) return;
+    check(cairo_status(cairo_));
+    cairo_ = handles_->context.get();
+    cairo_save(cairo_);
+    cairo_translate(cairo_, handles_->pixels_at.x, handles_->pixels_at.y);
+    cairo_scale(cairo_, 1 / pixels_per_point_, 1 / pixels_per_point_);
+    cairo_set_source_surface(cairo_, cairo_get_target(handles_->pixels.get()), 0, 0);
+    cairo_paint(cairo_);
+    cairo_restore(cairo_);
+    handles_->pixels.reset();
 }
 
 std::string Canvas::finish(std::string_view title, std::string_view description) {

@@ -62,6 +62,12 @@ class Canvas {
     void push_clip_circle(const geometry::Point& centre, double radius);
     void pop_clip();
 
+    /// Until the matching pop, what is drawn in the box becomes one image, with as many pixels for
+    /// a point as a png has, also in formats of lines: a million shapes would make a file that
+    /// nobody can open. Not to be nested.
+    void push_pixels(const geometry::Box& box);
+    void pop_pixels();
+
     /// The file's bytes; nothing can be drawn after it. In an svg, title and description become
     /// its accessible name and text.
     std::string finish(std::string_view title, std::string_view description);
@@ -73,6 +79,7 @@ class Canvas {
     void trace(std::span<const geometry::Point> points);
 
     PictureFormat format_;
+    double pixels_per_point_;
     std::string bytes_;
     std::unique_ptr<Handles> handles_;
     cairo_t* cairo_;

@@ -13,6 +13,10 @@ using geometry::Point;
 using geometry::Segment;
 
 constexpr std::size_t max_numbered_obstacles = 100;
+/// More than these become pixels in formats of lines too.
+constexpr std::size_t max_drawn_obstacles = 20'000;
+/// As many boxes at a time are moved to the page: a multiple of what Canvas puts into one path.
+constexpr std::size_t boxes_at_a_time = 4096;
 constexpr double end_broom = 3;
 constexpr double end_dot = 4;
 constexpr double label_size = 15;
@@ -70,6 +74,30 @@ void paint_obstacle_numbers(Canvas& canvas, const Scene& scene, const Page& page
         canvas.text({(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2 + 4}, number,
                     style);
     }
+}
+
+/// Calls paint with the boxes on the page, part by part.
+template <class Paint>
+void for_boxes_on_page(const Scene& scene, const Page& page, const Paint& paint) {
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
+        boxes.push_back(page.at(scene.obstacles[i]));
+        if (boxes.size() < boxes_at_a_time && i + 1 < scene.obstacles.size()) continue;
+        paint(std::span<const Box>(boxes));
+        boxes.clear();
+    }
+}
+
+void paint_obstacles(Canvas& canvas, const Scene& scene, const Page& page, const Palette& colours) {
+    const bool as_pixels = scene.obstacles.size() > max_drawn_obstacles;
+    const Stroke outline{mixed(colours.obstacle, colours.ink, 0.35), 0.8};
+    if (as_pixels) canvas.push_pixels(page.field);
+    for_boxes_on_page(scene, page, [&](std::span<const Box> boxes) {
+        canvas.fill_boxes(boxes, colours.obstacle);
+    });
+    for_boxes_on_page(scene, page,
+                      [&](std::span<const Box> boxes) { canvas.stroke_boxes(boxes, outline); });
+    if (as_pixels) canvas.pop_pixels();
 }
 
 void paint_trees(Canvas& canvas, const Scene& scene, const Page& page, const Palette& colours) {
@@ -208,11 +236,7 @@ void paint_violation_mark(Canvas& canvas, const Point& at, const Palette& colour
 }
 
 void paint_scene(Canvas& canvas, const Scene& scene, const Page& page, const Palette& colours) {
-    std::vector<Box> boxes;
-    boxes.reserve(scene.obstacles.size());
-    for (const Box& obstacle : scene.obstacles) boxes.push_back(page.at(obstacle));
-    canvas.fill_boxes(boxes, colours.obstacle);
-    canvas.stroke_boxes(boxes, {mixed(colours.obstacle, colours.ink, 0.35), 0.8});
+    paint_obstacles(canvas, scene, page, colours);
     paint_trees(canvas, scene, page, colours);
     for (const SceneLine& line : scene.lines) paint_line(canvas, scene, line, page, colours);
 }

@@ -1,5 +1,7 @@
 #include "io/benchmark/runs_csv.hpp"
 
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "tests/kit/files/benchmark_report_sample.hpp"
@@ -25,6 +27,20 @@ TEST(RunsCsv, HasALineForEachRun) {
               "first,swaps|1,rrt-connect swap-limiter=on,reversed,4,1,timeout,no path found: "
               "deadline,,,10,,,,,,0,,1000,0,0,0,");
     EXPECT_TRUE(lines[9].starts_with("\"second, it\",auto,")) << lines[9];
+}
+
+// A spreadsheet takes what begins like this for a formula, and runs it.
+TEST(RunsCsv, NamesAreNoFormulas) {
+    for (const char* first : {"=", "+", "-", "@"}) {
+        BenchmarkReport report = test::sample_report();
+        report.plan.problems[0].name = std::string(first) + "HYPERLINK(\"x\")";
+        report.plan.planners[0].label = "a\x1b\n=1";
+        const auto lines = lines_of(runs_csv(report));
+        ASSERT_EQ(lines.size(), 17U);
+        EXPECT_TRUE(lines[1].starts_with("\"'" + std::string(first) +
+                                         "HYPERLINK(\"\"x\"\")\",a\\x1B\\x0A=1,"))
+            << lines[1];
+    }
 }
 
 }  // namespace

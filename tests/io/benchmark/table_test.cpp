@@ -45,6 +45,15 @@ TEST(Table, RowsHoldTheFiguresOfHand) {
         << table;
 }
 
+TEST(Table, NamesBeginNoColumnsLinksOrLines) {
+    BenchmarkReport report = test::sample_report();
+    report.plan.planners[1].label = "a\\|b\n![x](y) <i> `c` \x1b[31m";
+    const std::string table = markdown_table(report);
+    EXPECT_TRUE(test::contains(
+        table, "| a\\\\\\|b\\\\x0A!\\[x\\](y) &lt;i> \\`c\\` \\\\x1B\\[31m | 1 of 2 |"))
+        << table;
+}
+
 TEST(Table, ListsTheSeedsThatWereNotSolved) {
     const std::string table = markdown_table(test::sample_report());
     EXPECT_TRUE(

@@ -38,6 +38,32 @@ TEST(MapFile, ReadsAPgmAsBytes) {
     EXPECT_EQ(picture(parse_map(std::string("P5 2 1 1000\n\x01\xf0\x01\xf4", 16), "m")), "#.\n");
 }
 
+TEST(MapFile, ReadsTheOtherPicturesOfNetpbm) {
+    const std::string expected = ".#.\n...\n";
+    EXPECT_EQ(picture(parse_map("P1\n# black is 1\n3 2\n0 1 0\n000\n", "m")), expected);
+    EXPECT_EQ(picture(parse_map(std::string("P4 3 2\n\x40\x00", 9), "m")), expected);
+    EXPECT_EQ(picture(parse_map("P3 3 2 1  1 1 1  0 0 1  1 1 0  1 1 1  1 1 1  1 1 1", "m")),
+              expected);
+    EXPECT_EQ(picture(parse_map(std::string("P6 1 2 255\n\xff\xff\xff\0\0\0", 17), "m")), ".\n#\n");
+    EXPECT_EQ(picture(parse_map("P1 10 2 1000000001 0100000000", "m")), "#........#\n.#........\n");
+    EXPECT_EQ(picture(parse_map(std::string("P4 10 2\n\x80\x40\x40\x00", 12), "m")),
+              "#........#\n.#........\n");
+}
+
+TEST(MapFile, ReadsAGridWithoutAHeaderOrWithAByteOrderMark) {
+    EXPECT_EQ(picture(parse_map("0 0 0\n0 1 0\n\n0 0 0\n", "m")), "...\n.#.\n...\n");
+    EXPECT_EQ(picture(parse_map("\xEF\xBB\xBF"
+                                "01\r\n10",
+                                "m")),
+              ".#\n#.\n");
+    EXPECT_EQ(picture(parse_map("\xEF\xBB\xBFheight 1\nwidth 2\n01", "m")), ".#\n");
+}
+
+TEST(MapFile, OnlyRegularFilesAreMaps) {
+    EXPECT_EQ(test::error_message<ReadError>([] { read_map("/dev/zero"); }),
+              "/dev/zero: not a regular file");
+}
+
 TEST(MapFile, TheThresholdCounts) {
     EXPECT_EQ(picture(parse_map("P2 3 1 255 99 100 101", "m", 100)), "##.\n");
     EXPECT_EQ(picture(parse_map("P2 3 1 255 0 1 2", "m", 0)), "#..\n");
@@ -63,12 +89,22 @@ TEST(MapFile, ReadsAPngAndAGridOfTheTestcases) {
 }
 
 TEST(MapFile, SaysWhatItCannotUnderstandAndWhere) {
-    EXPECT_EQ(message(""),
-              "map:1:1: expected a PGM or PNG picture, or a grid that begins with 'height H' and "
-              "'width W', found the end of the file");
-    EXPECT_EQ(message("height 2\nwide 3\n"),
-              "map:2:1: expected a PGM or PNG picture, or a grid that begins with 'height H' and "
-              "'width W', found 'wide'");
+    const std::string anything =
+        "a picture (PBM, PGM, PPM or PNG), lines of digits 0 and 1, or 'height H' and 'width W' "
+        "before them";
+    EXPECT_EQ(message(""), "map:1:1: expected " + anything + ", found the end of the file");
+    EXPECT_EQ(message("height 2\nwide 3\n"), "map:2:1: expected " + anything + ", found 'wide'");
+    EXPECT_EQ(message("\x7f"
+                      "ELF\x01"),
+              "map:1:1: expected " + anything + ", found bytes that are no text");
+    EXPECT_EQ(message("height 1\nwidth 3\n0\x1b[31m0\n"),
+              "map:3:2: expected 0 or 1, found bytes that are no text");
+    EXPECT_EQ(message("010\n01\n000\n"),
+              "map:2:3: expected 3 digits in each line, as in the first one, found '000'");
+    EXPECT_EQ(message("P5 100000 100000 255\n"),
+              "map:2:1: expected 10000000000 bytes of pixels, found the end of the file");
+    EXPECT_EQ(message("P4 2 2\n\x80"),
+              "map:2:2: expected 2 bytes of pixels, found the end of the file");
     EXPECT_EQ(message("height 1\nwidth 0\n"),
               "map:2:7: expected the width (a whole number from 1 to 1000000), found '0'");
     EXPECT_EQ(message("height 1\nwidth 3\n012\n"), "map:3:3: expected 0 or 1, found '2'");

@@ -60,6 +60,32 @@ TEST_F(Gallery, WritesPicturesPlayersAndAnIndexOfAll) {
     EXPECT_EQ(index.find(folder_.path().string()), std::string::npos) << "no folder names";
 }
 
+TEST_F(Gallery, ThePageLoadsNothingFromElsewhere) {
+    write_gallery(folder_ / "out", find_exhibits(std::vector{folder_ / "cases"}, std::nullopt));
+    const std::string index = read_file(folder_ / "out/index.html");
+    EXPECT_NE(index.find("Content-Security-Policy"), std::string::npos);
+    EXPECT_NE(index.find("default-src 'none'"), std::string::npos);
+    EXPECT_EQ(index.find("script"), std::string::npos);
+}
+
+TEST_F(Gallery, NoTwoExhibitsAndNoPageShareAFile) {
+    const std::vector<ExhibitFiles> exhibits{{"index.txt"}, {"a.txt"}, {"x/a.txt"}, {"a-2.txt"}};
+    EXPECT_EQ(gallery_names(exhibits), (std::vector<std::string>{"index-2", "a", "a-2", "a-2-2"}));
+    EXPECT_EQ(gallery_files("g", exhibits).size(), 13U);
+}
+
+TEST_F(Gallery, AMapIsNotOverwritten) {
+    std::filesystem::create_directory(folder_ / "out");
+    std::ofstream(folder_ / "out/s.html") << "00\n";
+    std::ofstream(folder_ / "out/s.json")
+        << R"({"version": 1, "body": {"kind": "point"}, "map": {"file": "s.html"},)"
+        << R"( "start": [0.5, 0.5], "goal": [1.5, 0.5]})";
+    const std::vector<ExhibitFiles> exhibits{{folder_ / "out/s.json"}};
+    const GalleryReport report = write_gallery(folder_ / "out", exhibits);
+    ASSERT_EQ(report.failures.size(), 1U);
+    EXPECT_EQ(read_file(folder_ / "out/s.html"), "00\n");
+}
+
 TEST_F(Gallery, AFolderThatCannotBeMadeIsAWriteError) {
     const std::vector<ExhibitFiles> none;
     EXPECT_THROW(write_gallery(folder_ / "cases/b.txt/out", none), WriteError);

@@ -72,8 +72,9 @@ void try_variants_of(const std::filesystem::path& file, std::uint64_t seed, cons
             ++understood;
         } catch (const ParseError& error) {
             ASSERT_GE(error.line(), 1U);
-            ASSERT_LE(error.line(),
-                      1U + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
+            ASSERT_LE(error.line(), 1U + static_cast<std::size_t>(std::count_if(
+                                             text.begin(), text.end(),
+                                             [](char c) { return c == '\n' || c == '\r'; })));
             ASSERT_GE(error.column(), 1U);
             ASSERT_LE(error.column(), text.size() + 1);
         }

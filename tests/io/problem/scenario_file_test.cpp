@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "io/text/parse_error.hpp"
 #include "tests/kit/files/error_message.hpp"
@@ -106,6 +107,70 @@ TEST(Scenario, AMapGivesObstaclesAndBounds) {
     EXPECT_EQ(problem.requirements.bounds, (geometry::Box{{-5, 0}, {25, 20}}));
     // A file problem is told by its place in the scenario.
     EXPECT_NE(message(text).find("map.file"), std::string::npos);
+}
+
+std::string with_map(const std::string& file) {
+    return with(point, "\"start\"", "\"map\": {\"file\": \"" + file + "\"}, \"start\"");
+}
+
+// What a scenario of somebody else may name: see docs/scenario.md.
+TEST(Scenario, AMapIsARegularFileBelowTheScenario) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "s/maps");
+    for (const char* name : {"outside.map", "s/here.map", "s/maps/below.map"})
+        std::ofstream(folder / name) << "01\n";
+    std::filesystem::create_symlink("../outside.map", folder / "s/link.map");
+    ASSERT_EQ(::mkfifo((folder / "s/pipe").c_str(), 0600), 0);
+    const auto read_with = [&](const std::string& file, bool anywhere) {
+        return parse_scenario(with_map(file), "s.json", folder / "s", {.maps_anywhere = anywhere});
+    };
+    const auto refusal = [&](const std::string& file, bool anywhere = false) {
+        return test::error_message<ParseError>([&] { read_with(file, anywhere); });
+    };
+    for (const char* name : {"here.map", "maps/below.map", "maps/../here.map", "./here.map"}) {
+        const ProblemFile read = read_with(name, false);
+        EXPECT_EQ(read.problem.obstacles.size(), 1U);
+        EXPECT_TRUE(std::filesystem::equivalent(read.maps.at(0), folder / "s" / name) ||
+                    std::string(name).starts_with("maps/.."));
+    }
+    const std::string absolute = (folder / "s/here.map").string();
+    EXPECT_NE(refusal(absolute).find("a path relative to the scenario"), std::string::npos);
+    for (const char* name : {"../outside.map", "link.map", "maps/../../outside.map"}) {
+        EXPECT_NE(refusal(name).find("a file below the folder of the scenario"), std::string::npos);
+        EXPECT_EQ(read_with(name, true).problem.obstacles.size(), 1U);
+    }
+    EXPECT_EQ(read_with(absolute, true).problem.obstacles.size(), 1U);
+    EXPECT_NE(refusal("pipe").find("pipe: not a regular file"), std::string::npos);
+    EXPECT_NE(refusal("/dev/zero", true).find("/dev/zero: not a regular file"), std::string::npos);
+    EXPECT_NE(refusal("here.map\\u0000.png").find("the name of a file"), std::string::npos);
+    EXPECT_NE(refusal("").find("the name of a file"), std::string::npos);
+    EXPECT_EQ(refusal("\\u001b[31m").find('\x1b'), std::string::npos);
+}
+
+TEST(Scenario, WarnsAboutWallsThatVanishAndStepsThatDoNotSuit) {
+    const auto warnings = [](const std::string& text) {
+        std::vector<std::string> texts;
+        for (const Warning& warning : parse_scenario(text, "s.json", ".").warnings)
+            texts.push_back(to_text(warning));
+        return texts;
+    };
+    EXPECT_TRUE(warnings(point).empty());
+    EXPECT_EQ(
+        warnings(with(point, "\"start\"",
+                      "\"obstacles\": [[[5, 5], [6, 6]],\n [[0.5, 0], [0.5, 1]]], \"start\"")),
+        (std::vector<std::string>{
+            "s.json:2:2: warning: the rectangle is 0 wide, less than twice the tolerance of "
+            "1e-05, and vanishes at obstacles[1]"}));
+    EXPECT_EQ(warnings(with(with(point, "[1, 1]", "[6000, 0]"), "\"start\"",
+                            "\"bounds\": null, \"start\"")),
+              (std::vector<std::string>{
+                  "s.json:1:84: warning: any path has 6e+06 steps of 0.001 or more; a larger "
+                  "\"step\" would suit this field: the goal is 6000 away at goal"}));
+}
+
+TEST(Scenario, AByteOrderMarkMovesNoColumn) {
+    EXPECT_EQ(message("\xEF\xBB\xBF" + with(point, "[0, 0]", "[0]")),
+              message(with(point, "[0, 0]", "[0]")));
 }
 
 TEST(Scenario, KnowsTheLinesOfItsEnds) {

@@ -52,7 +52,7 @@ TEST(AtomicFile, SaysWhyAFileCannotBeRead) {
 TEST(AtomicFile, RefusesToReadWithoutEnd) {
     if (!fs::exists("/dev/zero")) GTEST_SKIP() << "no /dev/zero";
     EXPECT_EQ(error_message<ReadError>([] { read_file("/dev/zero", 1'000'000); }),
-              "/dev/zero: File too large");
+              "/dev/zero: File too large (at most 1000000 bytes are read)");
 }
 
 TEST(AtomicFile, AFileOfExactlyTheLimitIsRead) {
@@ -113,7 +113,7 @@ TEST(AtomicFile, AFailedWriteLeavesTheOldFileAndNothingElse) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-        std::signal(SIGXFSZ, SIG_IGN);
+        std::signal(SIGXFSZ, SIG_DFL);
         const rlimit limit{1000, 1000};
         ::setrlimit(RLIMIT_FSIZE, &limit);
         try {
@@ -128,6 +128,107 @@ TEST(AtomicFile, AFailedWriteLeavesTheOldFileAndNothingElse) {
     EXPECT_EQ(WEXITSTATUS(status), 5);
     EXPECT_EQ(read_file(folder / "f"), "old");
     EXPECT_EQ(folder.entries(), 1);
+}
+
+/// How the child ends that does this.
+template <class Work>
+int end_of_child(const Work& work) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        work();
+        ::_exit(0);
+    }
+    int status = 0;
+    EXPECT_EQ(::waitpid(child, &status, 0), child);
+    return status;
+}
+
+TEST(AtomicFile, WhateverEndsTheProcessFilesAreWholeOrNotThere) {
+    const TemporaryFolder folder;
+    const int probe = ::open(folder.path().c_str(), O_TMPFILE | O_WRONLY, 0600);
+    if (probe < 0) GTEST_SKIP() << "no nameless files here";
+    ::close(probe);
+    const std::string content(1 << 22U, 'c');
+    for (int round = 0; round < 5; ++round) {
+        const pid_t child = ::fork();
+        ASSERT_GE(child, 0);
+        if (child == 0) {
+            for (int i = 0; i < 1000; ++i)
+                write_file(folder / (std::to_string(round) + "-" + std::to_string(i)), content);
+            ::_exit(0);
+        }
+        ::usleep(30'000);
+        ::kill(child, SIGKILL);
+        int status = 0;
+        ASSERT_EQ(::waitpid(child, &status, 0), child);
+        for (const auto& entry : fs::directory_iterator(folder.path())) {
+            EXPECT_EQ(entry.path().filename().string()[0], '0' + round);
+            EXPECT_EQ(entry.file_size(), content.size());
+            fs::remove(entry.path());
+        }
+    }
+}
+
+TEST(AtomicFile, AFileThatMayNotGrowIsAFailedWriteAndNoSignal) {
+    const TemporaryFolder folder;
+    const int status = end_of_child([&] {
+        std::signal(SIGXFSZ, SIG_DFL);
+        const rlimit limit{1000, 1000};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        try {
+            write_file(folder / "f", std::string(100'000, 'n'));
+        } catch (const WriteError&) {
+            ::_exit(5);
+        }
+    });
+    ASSERT_TRUE(WIFEXITED(status)) << WTERMSIG(status);
+    EXPECT_EQ(WEXITSTATUS(status), 5);
+    EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(AtomicFile, OldFilesKeepTheirOwner) {
+    if (::geteuid() != 0) GTEST_SKIP() << "only root may give files away";
+    const TemporaryFolder folder;
+    write_file(folder / "f", "x");
+    constexpr uid_t other = 12345;
+    ASSERT_EQ(::chown((folder / "f").c_str(), other, other + 1), 0);
+    fs::permissions(folder / "f", fs::perms{0640});
+    write_file(folder / "f", "y");
+    struct stat status {};
+    ASSERT_EQ(::stat((folder / "f").c_str(), &status), 0);
+    EXPECT_EQ(status.st_uid, other);
+    EXPECT_EQ(status.st_gid, other + 1);
+    EXPECT_EQ(permissions(folder / "f"), 0640U);
+}
+
+TEST(AtomicFile, ADashIsStandardInputAndOutput) {
+    const TemporaryFolder folder;
+    write_file(folder / "in", "what is there");
+    const int status = end_of_child([&] {
+        ::dup2(::open((folder / "in").c_str(), O_RDONLY), STDIN_FILENO);
+        ::dup2(::open((folder / "out").c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
+        write_file("-", read_file("-"));
+        ::close(STDIN_FILENO);
+        try {
+            read_file("-");
+        } catch (const ReadError& error) {
+            write_file("-", std::string("; ") + error.what());
+        }
+    });
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(read_file(folder / "out"), "what is there; <stdin>: Bad file descriptor");
+    EXPECT_EQ(input_name("-"), "<stdin>");
+    EXPECT_EQ(output_name("-"), "<stdout>");
+    EXPECT_EQ(input_name("./-"), "./-");
+}
+
+TEST(AtomicFile, RegularFilesAloneWhereThatIsWanted) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    EXPECT_EQ(error_message<ReadError>([&] { read_regular_file(folder / "pipe"); }),
+              (folder / "pipe").string() + ": not a regular file");
+    write_file(folder / "f", "content");
+    EXPECT_EQ(read_regular_file(folder / "f"), "content");
 }
 
 TEST(AtomicFile, NewFilesHaveThePermissionsThatTheMaskLeaves) {

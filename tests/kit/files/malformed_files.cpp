@@ -8,10 +8,10 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-const std::string asv_count = "expected the number of ASVs (a whole number, at least 1), found ";
+const std::string asv_count =
+    "expected the number of ASVs (a whole number from 1 to 100000), found ";
 const std::string obstacle_count =
-    "expected the number of obstacles (a whole number, at least 0), found ";
-const std::string nothing_more = "expected nothing more on this line, found ";
+    "expected the number of obstacles (a whole number from 0 to 2000000), found ";
 
 /// The good lines with one of them, counted from 1, replaced.
 std::string with_line(Lines lines, std::size_t number, const std::string& line) {
@@ -40,7 +40,7 @@ std::vector<Malformed> other_formats() {
     return {
         {"empty", "", "1:1: " + asv_count + "end of file"},
         {"one line end", "\n", "1:1: " + asv_count + "end of file"},
-        {"blanks", " \t \r\n \n", "1:5: " + asv_count + "end of file"},
+        {"blanks", " \t \r\n \n", "1:4: " + asv_count + "end of file"},
         {"zero bytes", bytes("\0\0\0\0", 4), "1:1: " + asv_count + "\"\\x00\\x00\\x00\\x00\""},
         {"program",
          bytes("\x7F"
@@ -56,6 +56,18 @@ std::vector<Malformed> other_formats() {
          "1:1: " + asv_count + "\"\\xFF\\xFE3\\x00\""},
         {"web page", "<!DOCTYPE html>\n", "1:1: " + asv_count + "\"<!DOCTYPE\""},
         {"JSON that is no scenario", "{\"n\": 3}\n", "1:1: expected a member at version"},
+        {"JSON with a member given twice", "{\"version\": 1,\n \"version\": 1}\n",
+         "2:2: expected each member once, found \"version\" again"},
+        {"JSON with a member given twice in other letters", "{\"a\": 1, \"\\u0061\": 1}\n",
+         "1:10: expected each member once, found \"a\" again"},
+        {"JSON with the name of a member that would write on a terminal",
+         R"({"version":1,"body":{},"start":[],"goal":[],"\u001b[31mRED\u0007":1})",
+         "1:1: expected no other members than version, body, start, goal, bounds, obstacles, map, "
+         "step, tolerance at \\x1B[31mRED\\x07, found 1"},
+        {"JSON of brackets", "{\"a\":" + std::string(66'000, '[') + std::string(66'000, ']') + "}",
+         "1:70: expected at most 64 brackets inside each other, found one more"},
+        {"JSON of brackets that are open", "{\"a\":" + std::string(200'000, '['),
+         "1:69: expected at most 64 brackets inside each other, found one more"},
     };
 }
 
@@ -70,15 +82,14 @@ std::vector<Malformed> broken_asv_counts() {
         {"count is huge", problem_with(1, "99999999999999999999"),
          "1:1: " + asv_count + "\"99999999999999999999\""},
         {"count is not a number", problem_with(1, "nan"), "1:1: " + asv_count + "\"nan\""},
-        {"count with remark", problem_with(1, "3 # ASVs"), "1:3: " + nothing_more + "\"#\""},
         {"count with comma", problem_with(1, "3,"), "1:1: " + asv_count + "\"3,\""},
-        {"two counts", problem_with(1, "3 1"), "1:3: " + nothing_more + "\"1\""},
         {"count is missing", problem_with(1, ""), "1:1: " + asv_count + "end of line"},
-        {"count before all lines in one", "3 0.1 0.1 0.15 0.1 0.15 0.15",
-         "1:3: " + nothing_more + "\"0.1\""},
         {"more ASVs than positions", problem_with(1, "4"),
          "2:29: expected a number (x of ASV 4 of the start), found end of line"},
+        {"more ASVs than are read", problem_with(1, "100001"), "1:1: " + asv_count + "\"100001\""},
         {"more ASVs than memory", problem_with(1, "1000000000"),
+         "1:1: " + asv_count + "\"1000000000\""},
+        {"as many ASVs as are read", problem_with(1, "100000"),
          "2:29: expected a number (x of ASV 4 of the start), found end of line"},
     };
 }
@@ -102,7 +113,6 @@ std::vector<Malformed> broken_positions() {
         {"coordinate is -infinity", with_y1("-Infinity"), y1 + "\"-Infinity\" (out of range)"},
         {"coordinate overflows", with_y1("1e999"), y1 + "\"1e999\" (out of range)"},
         {"coordinate is huge", with_y1("-1e300"), y1 + "\"-1e300\" (out of range)"},
-        {"coordinate underflows", with_y1("1e-999"), y1 + "\"1e-999\" (out of range)"},
         {"coordinate with comma", with_y1("0,2"), y1 + "\"0,2\""},
         {"coordinate is hexadecimal", with_y1("0x1"), y1 + "\"0x1\""},
         {"coordinate without exponent", with_y1("2e"), y1 + "\"2e\""},
@@ -117,8 +127,6 @@ std::vector<Malformed> broken_positions() {
         {"coordinate with zero byte", with_y1(bytes("0.2\0", 4)), y1 + "\"0.2\\x00\""},
         {"coordinate without end", with_y1(std::string(100'000, '9')),
          y1 + "\"9999999999999999999999999999999999999999...\" (out of range)"},
-        {"remark after the start", problem_with(2, "0.15 0.2 0.15 0.15 0.2 0.15 start"),
-         "2:29: expected a number or the end of the line, found \"start\""},
         {"goal is missing", first_lines(good_problem(), 2),
          "3:1: expected a number (x of ASV 1 of the goal), found end of file"},
         {"goal is an empty line", problem_with(3, " "),
@@ -146,24 +154,20 @@ std::vector<Malformed> broken_obstacles() {
          "4:1: " + obstacle_count + "\"nan\""},
         {"obstacle count is huge", problem_with(4, "18446744073709551616"),
          "4:1: " + obstacle_count + "\"18446744073709551616\""},
-        {"obstacle count with remark", problem_with(4, "1 obstacle"),
-         "4:3: " + nothing_more + "\"obstacle\""},
         {"obstacles without a count", problem_with(4, good_problem()[4]),
          "4:1: " + obstacle_count + "\"0.4\""},
         {"an obstacle is missing", problem_with(4, "2"),
          "6:1: expected obstacle 2 of 2, found end of file"},
         {"10^9 obstacles, one present", problem_with(4, "1000000000"),
-         "6:1: expected obstacle 2 of 1000000000, found end of file"},
-        {"10^9 obstacles, none present", first_lines(good_problem(), 3) + "1000000000\n",
-         "5:1: expected obstacle 1 of 1000000000, found end of file"},
+         "4:1: " + obstacle_count + "\"1000000000\""},
+        {"2 * 10^6 obstacles, one present", problem_with(4, "2000000"),
+         "6:1: expected obstacle 2 of 2000000, found end of file"},
         {"2^64 - 1 obstacles", problem_with(4, "18446744073709551615"),
-         "6:1: expected obstacle 2 of 18446744073709551615, found end of file"},
+         "4:1: " + obstacle_count + "\"18446744073709551615\""},
         {"a corner is missing", obstacle(one),
          "5:21: expected a number (x of corner 4 of obstacle 1), found end of file"},
         {"seven numbers", obstacle(one + "0.4"),
          "5:24: expected a number (y of corner 4 of obstacle 1), found end of file"},
-        {"nine numbers", obstacle(one + "0.4 0.1 0.2"),
-         "5:29: expected nothing more after the fourth corner, found \"0.2\""},
         {"corner is not a number", obstacle(one + "0.4 nan"),
          "5:25: expected a number (y of corner 4 of obstacle 1), found \"nan\" (not a number)"},
         {"corner is infinite", obstacle(one + "inf 0.1"),
@@ -208,7 +212,7 @@ std::vector<Malformed> malformed_problems() {
 
 std::vector<Malformed> malformed_solutions() {
     const std::string steps =
-        "1:1: expected the number of primitive steps (a whole number, at least 0), found ";
+        "1:1: expected the number of primitive steps (a whole number from 0 to 16666665), found ";
     const std::string cost = "expected a number (the total cost), found ";
     return {
         {"empty", "", steps + "end of file"},
@@ -225,20 +229,16 @@ std::vector<Malformed> malformed_solutions() {
         {"cost is not a number", solution_with(1, "1 nan"),
          "1:3: " + cost + "\"nan\" (not a number)"},
         {"cost is infinite", solution_with(1, "1 inf"), "1:3: " + cost + "\"inf\" (out of range)"},
-        {"remark after the cost", solution_with(1, "1 0.0012 m"),
-         "1:10: " + nothing_more + "\"m\""},
         {"a state is missing", solution_with(1, "2 0.0012"),
          "4:1: expected state 2 of 0 to 2, found end of file"},
         {"10^9 states, two present", solution_with(1, "1000000000 0.0012"),
-         "4:1: expected state 2 of 0 to 1000000000, found end of file"},
+         steps + "\"1000000000\""},
+        {"10^7 states, two present", solution_with(1, "10000000 0.0012"),
+         "4:1: expected state 2 of 0 to 10000000, found end of file"},
         {"no state", first_lines(good_solution(), 1),
          "2:1: expected state 0 of 0 to 1, found end of file"},
-        {"a state too many", joined(good_solution()) + "0.15 0.2 0.15 0.15 0.2 0.15\n",
-         "4:1: expected the end of the file after 1 primitive steps, found \"0.15\""},
         {"a position is missing", solution_with(2, "0.15 0.2 0.15 0.15"),
          "2:19: expected a number (x of ASV 3 in state 0), found end of line"},
-        {"a position too many", solution_with(3, good_solution()[2] + " 0.3 0.3"),
-         "3:36: expected the end of the line after 3 positions, found \"0.3\""},
         {"an empty line", solution_with(2, ""),
          "2:1: expected a number (x of ASV 1 in state 0), found end of line"},
         {"coordinate is a word", solution_with(3, "0.15 y"),

@@ -36,14 +36,15 @@ void redirect(const std::filesystem::path& file, int flags, int descriptor) {
 
 [[noreturn]] void become(std::vector<char*> words, const Surroundings& surroundings,
                          const std::filesystem::path& out, const std::filesystem::path& err) {
-    redirect("/dev/null", O_RDONLY, STDIN_FILENO);
+    const auto& input = surroundings.standard_input;
+    redirect(input.empty() ? "/dev/null" : input, O_RDONLY, STDIN_FILENO);
     redirect(out, O_WRONLY | O_CREAT, STDOUT_FILENO);
     redirect(err, O_WRONLY | O_CREAT, STDERR_FILENO);
     const std::string found = "exitcode=" + std::to_string(sanitizer_exit_code);
     ::setenv("ASAN_OPTIONS", found.c_str(), 1);
     ::setenv("UBSAN_OPTIONS", found.c_str(), 1);
-    // Ignored, so that the write itself fails as it does on a full disk.
-    std::signal(SIGXFSZ, SIG_IGN);
+    // As a shell has it: the signal of a write beyond the limit would end the process.
+    std::signal(SIGXFSZ, SIG_DFL);
     limit(RLIMIT_FSIZE, surroundings.largest_file);
     if (!shadow_memory) limit(RLIMIT_AS, surroundings.memory);
     limit(RLIMIT_NPROC, surroundings.most_processes);

@@ -20,6 +20,7 @@ struct Surroundings {
     std::size_t memory = 0;        ///< bytes of address space; not kept under sanitizers
     unsigned user = 0;             ///< run as this user, which only root can ask for
     std::filesystem::path standard_output = {};  ///< instead of Outcome::out
+    std::filesystem::path standard_input = {};   ///< instead of none
     /// Sent to it one after the other, each so many milliseconds after the one before.
     std::vector<int> signals = {};
     unsigned before_each_signal = 1000;
@@ -34,7 +35,7 @@ inline constexpr int sanitizer_exit_code = 99;
 /// Exit code when the program itself could not be started.
 inline constexpr int cannot_start = 127;
 
-/// Runs bin/NAME of this build to its end, at most a minute, without standard input.
+/// Runs bin/NAME of this build to its end, at most a minute.
 Outcome run_program(const std::string& name, const std::vector<std::string>& arguments,
                     const Surroundings& surroundings = {});
 

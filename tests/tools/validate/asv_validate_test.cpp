@@ -150,8 +150,8 @@ TEST_F(ValidateProgram, WarningsGoToStandardErrorUnlessItIsToBeQuiet) {
     const Outcome outcome = validate({problem});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, problem +
-                               ":2: warning: more than 3 positions for the start: "
-                               "the last 2 numbers ignored\n");
+                               ":2:30: warning: ignored after ASV 3, the last one of the start: "
+                               "\"0.3\" and 1 more word\n");
     EXPECT_EQ(validate({problem, "--quiet"}).err, "");
 }
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "geometry/boxes/grid_cover.hpp"
+
+namespace asv::io {
+
+/// Is it one of the pictures of Netpbm, P1 to P6?
+bool is_anymap(std::string_view content);
+
+/// A picture of Netpbm as a map: PBM (P1, P4; 1 is black), PGM (P2, P5) or PPM (P3, P6, as its
+/// luma). A pixel of at most `threshold` of 255 is occupied. Throws ParseError.
+geometry::Grid parse_anymap(std::string_view content, const std::string& name, double threshold);
+
+}  // namespace asv::io
