@@ -23,7 +23,8 @@ constexpr std::string_view columns =
 std::string harmless(std::string_view text) {
     constexpr std::string_view begins_formula = "=+-@\t\r";
     const bool formula = !text.empty() && begins_formula.find(text[0]) != std::string_view::npos;
-    return (formula ? "'" : "") + escaped(text);
+    std::string cell(formula ? "'" : "");
+    return cell += escaped(text);
 }
 
 /// The fields of one line.
