@@ -14,13 +14,14 @@ docs/python.md.
 
 from ._core import (Arm, CheckResult, Offender, Problem, Requirements, Rng, SearchTree, SearchTrees,
                     Solution, SolveProgress, SolveStatistics, ValidationReport, __version__, cost,
-                    read_solution, read_trees, write_solution, write_trees)
+                    read_trees, write_solution, write_trees)
 from .drawing import Picture, Player, draw, player, plot
 from .errors import (FileError, FormatWarning, InvalidEnds, NoRoom, ParseError, ReadError,
                      WriteError)
 from .generation import families, generate, vouch
 from .catalogue import Planner, Setting, planner_names, planners
-from .problems import parse_problem, parse_scenario, read_problem, scenario, write_problem
+from .problems import (parse_problem, parse_scenario, read_problem, read_solution, scenario,
+                       write_problem)
 from .searching import SearchResult, Space, Tree, search
 from .solving import SolveResult, invalid_ends, solve, validate, validate_state
 

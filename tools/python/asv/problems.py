@@ -13,26 +13,33 @@ from .errors import FormatWarning, WriteError
 PathLike = Union[str, "os.PathLike[str]"]
 
 
-def _forgiving(read: tuple) -> _core.Problem:
-    problem, forgiven = read
+def _forgiving(read: tuple) -> Any:
+    result, forgiven = read
     for file, line, message in forgiven:
         warnings.warn(f"{file}:{line}: {message}", FormatWarning, stacklevel=3)
-    return problem
+    return result
 
 
-def read_problem(file: PathLike) -> _core.Problem:
+def read_problem(file: PathLike, *, maps_anywhere: bool = False) -> _core.Problem:
     """Reads a problem file or a scenario (a file that begins with "{").
 
-    What can be understood but is not as the format says is told as a FormatWarning. Raises
-    ParseError, with file, line and column, or ReadError.
+    What can be understood but is not as the format says is told as a FormatWarning.
+    maps_anywhere: a scenario may name a map outside its own folder. Raises ParseError, with file,
+    line and column, or ReadError.
     """
-    return _forgiving(_core.read_problem(file))
+    return _forgiving(_core.read_problem(file, maps_anywhere))
 
 
-def parse_problem(text: str, name: str = "<text>", folder: PathLike = ".") -> _core.Problem:
+def parse_problem(text: str, name: str = "<text>", folder: PathLike = ".", *,
+                  maps_anywhere: bool = False) -> _core.Problem:
     """The same from text. name stands for the file in messages; the maps of a scenario are looked
     for in the folder."""
-    return _forgiving(_core.parse_problem(text, name, folder))
+    return _forgiving(_core.parse_problem(text, name, folder, maps_anywhere))
+
+
+def read_solution(file: PathLike, asv_count: int) -> _core.Solution:
+    """Reads a solution file of so many ASVs; likewise."""
+    return _forgiving(_core.read_solution(file, asv_count))
 
 
 def parse_scenario(scenario: Mapping[str, Any], folder: PathLike = ".") -> _core.Problem:

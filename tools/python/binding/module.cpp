@@ -7,6 +7,7 @@ PYBIND11_MODULE(_core, module) {
     module.attr("__version__") = ASV_VERSION;
     asv::python::bind_errors();
     asv::python::bind_problem(module);
+    asv::python::bind_files(module);
     asv::python::bind_planners(module);
     asv::python::bind_validate(module);
     asv::python::bind_draw(module);

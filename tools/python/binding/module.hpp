@@ -10,6 +10,7 @@ namespace py = pybind11;
 
 void bind_errors();
 void bind_problem(py::module_& module);
+void bind_files(py::module_& module);
 void bind_planners(py::module_& module);
 void bind_validate(py::module_& module);
 void bind_solve(py::module_& module);

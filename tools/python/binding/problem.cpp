@@ -1,18 +1,13 @@
 #include "core/model/problem.hpp"
 
-#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include "core/model/cost.hpp"
 #include "core/model/path.hpp"
-#include "io/problem/problem_file.hpp"
-#include "io/problem/scenario_file.hpp"
-#include "io/solution/solution_file.hpp"
 #include "tools/python/binding/module.hpp"
 #include "tools/python/binding/support/arrays.hpp"
 
@@ -229,20 +224,6 @@ void bind_solution(py::module_& module) {
         });
 }
 
-/// The problem, and what had to be forgiven as (file, line, message).
-py::tuple with_warnings(io::ProblemFile file) {
-    py::list warnings;
-    for (const io::Warning& warning : file.warnings)
-        warnings.append(py::make_tuple(warning.file, warning.line, warning.message));
-    return py::make_tuple(std::move(file.problem), warnings);
-}
-
-io::ProblemFile parse(const std::string& text, const std::string& name,
-                      const std::filesystem::path& folder) {
-    return io::is_scenario(text) ? io::parse_scenario(text, name, folder)
-                                 : io::parse_problem(text, name);
-}
-
 }  // namespace
 
 void bind_problem(py::module_& module) {
@@ -250,30 +231,6 @@ void bind_problem(py::module_& module) {
     bind_arm(module);
     bind_problem_class(module);
     bind_solution(module);
-    const auto released = py::call_guard<py::gil_scoped_release>();
-    module.def(
-        "read_problem",
-        [](const std::filesystem::path& file) {
-            io::ProblemFile read;
-            {
-                const py::gil_scoped_release release;
-                read = io::read_problem(file);
-            }
-            return with_warnings(std::move(read));
-        },
-        "file"_a, "(problem, [(file, line, message), ...]).");
-    module.def(
-        "parse_problem",
-        [](const std::string& text, const std::string& name, const std::filesystem::path& folder) {
-            return with_warnings(parse(text, name, folder));
-        },
-        "text"_a, "name"_a, "folder"_a, "The same from text of either format.");
-    module.def("write_problem", &io::write_problem, released, "file"_a, "problem"_a,
-               "Writes the classic format.");
-    module.def("read_solution", &io::read_solution, released, "file"_a, "asv_count"_a,
-               "Reads a solution file of so many ASVs. Raises ParseError or ReadError.");
-    module.def("write_solution", &io::write_solution, released, "file"_a, "solution"_a,
-               "Writes a solution file, whole or not at all. Raises WriteError.");
     module.def(
         "cost",
         [](const Problem& problem, const Array& path) {
