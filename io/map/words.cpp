@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "io/text/json_place.hpp"
+#include "io/text/json/place.hpp"
 #include "io/text/parse_error.hpp"
 
 namespace asv::io {
@@ -43,8 +43,10 @@ void MapWords::fail(const std::string& expected) {
 void MapWords::fail_here(const std::string& expected) const {
     const TextPlace place = place_of_offset(text_, at_);
     const std::string_view found = next();
-    throw ParseError(name_, place.line, place.column, expected,
-                     at_ >= text_.size() ? "the end of the file" : quoted(found));
+    std::string what = quoted(found);
+    if (found.empty()) what = "the end of the line";
+    if (at_ >= text_.size()) what = "the end of the file";
+    throw ParseError(name_, place.line, place.column, expected, what);
 }
 
 bool MapWords::take(std::string_view word) {

@@ -9,7 +9,7 @@
 #include "core/chain/arm_kinematics.hpp"
 #include "io/problem/scenario_map.hpp"
 #include "io/problem/thin_walls.hpp"
-#include "io/text/json_document.hpp"
+#include "io/text/json/document.hpp"
 #include "io/text/parse_error.hpp"
 #include "io/text/scanner.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "geometry/primitives.hpp"
 #include "io/problem/reading.hpp"
-#include "io/text/json_document.hpp"
+#include "io/text/json/document.hpp"
 
 namespace asv::io {
 

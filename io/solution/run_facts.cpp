@@ -1,7 +1,7 @@
 #include "io/solution/run_facts.hpp"
 
 #include "io/text/atomic_file.hpp"
-#include "io/text/json_document.hpp"
+#include "io/text/json/document.hpp"
 
 namespace asv::io {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/text/atomic_file.hpp"
-#include "io/text/json_document.hpp"
+#include "io/text/json/document.hpp"
 #include "io/text/number_text.hpp"
 
 namespace asv::io {

@@ -55,7 +55,11 @@ class Scanner {
     /// ...".
     template <std::invocable After>
     void leave_line(const After& after) {
-        if (!at_line_end()) warn("ignored after " + after() + ": " + rest_of_line());
+        if (!at_line_end()) {
+            const std::size_t first = column();
+            warnings_.add(
+                {name_, line_, first, "ignored after " + after() + ": " + rest_of_line()});
+        }
         next_line();
     }
 

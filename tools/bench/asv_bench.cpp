@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -22,11 +21,11 @@
 #include "tools/bench/bench_plan.hpp"
 #include "tools/bench/machine.hpp"
 #include "tools/bench/run_launcher.hpp"
+#include "tools/bench/run_progress.hpp"
 #include "tools/common/command_line.hpp"
 #include "tools/common/file_roles.hpp"
 #include "tools/common/interrupt.hpp"
 #include "tools/common/number_options.hpp"
-#include "tools/common/progress_line.hpp"
 #include "tools/common/reading.hpp"
 
 namespace {
@@ -35,7 +34,7 @@ namespace core = asv::core;
 namespace io = asv::io;
 using asv::tools::CommandLine;
 using asv::tools::ExitCode;
-using asv::tools::ProgressLine;
+using asv::tools::RunProgress;
 using asv::tools::UsageError;
 using std::filesystem::path;
 
@@ -198,46 +197,11 @@ void require_places(const Arguments& arguments) {
         if (!file.empty()) io::require_writable(file);
 }
 
-std::string seconds_text(double seconds) {
-    const auto whole = static_cast<long>(std::lround(seconds));
-    if (whole < 120) return std::to_string(whole) + " s";
-    if (whole < 7200) return std::to_string(whole / 60) + " min";
-    return std::to_string(whole / 3600) + " h";
-}
-
-/// Shows what is running and how long it may take.
-class Progress {
-  public:
-    Progress(const core::BenchmarkPlan& plan, bool wanted) : plan_(plan), line_(wanted) {}
-
-    void begin(const core::RunPlace& place) {
-        const double elapsed = std::chrono::duration<double>(core::Clock::now() - begun_).count();
-        std::string text =
-            std::to_string(done_ + 1) + " of " + std::to_string(core::run_count(plan_)) + ": " +
-            plan_.problems[place.problem].name + ", " + plan_.planners[place.planner].label + ", " +
-            std::string(core::name(place.direction)) + ", seed " + std::to_string(place.seed);
-        if (done_ > 0) {
-            const auto left = static_cast<double>(core::run_count(plan_) - done_);
-            text +=
-                ", about " + seconds_text(elapsed / static_cast<double>(done_) * left) + " left";
-        }
-        line_.show(text);
-    }
-    void end() { ++done_; }
-    void clear() { line_.clear(); }
-
-  private:
-    const core::BenchmarkPlan& plan_;
-    ProgressLine line_;
-    core::Clock::time_point begun_ = core::Clock::now();
-    std::size_t done_ = 0;
-};
-
 std::vector<core::BenchmarkRun> run_all(core::BenchmarkPlan& plan, bool quiet) {
     asv::tools::RunLauncher launcher(plan);
     plan.jobs = launcher.jobs();
     const asv::tools::InterruptWatch interrupt;
-    Progress progress(plan, !quiet);
+    RunProgress progress(plan, !quiet);
     core::BenchmarkWatch watch;
     watch.before = [&](const core::RunPlace& place) { progress.begin(place); };
     watch.after = [&](const core::BenchmarkRun&) { progress.end(); };

@@ -26,6 +26,7 @@ BenchmarkPlan small_plan() {
     plan.directions = {Direction::forward, Direction::reversed};
     plan.first_seed = 5;
     plan.seeds = 2;
+    plan.time_limit = 600;  // under sanitizers on a busy machine, too
     return plan;
 }
 

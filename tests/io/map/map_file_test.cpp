@@ -99,8 +99,9 @@ TEST(MapFile, SaysWhatItCannotUnderstandAndWhere) {
               "map:1:1: expected " + anything + ", found bytes that are no text");
     EXPECT_EQ(message("height 1\nwidth 3\n0\x1b[31m0\n"),
               "map:3:2: expected 0 or 1, found bytes that are no text");
-    EXPECT_EQ(message("010\n01\n000\n"),
-              "map:2:3: expected 3 digits in each line, as in the first one, found '000'");
+    EXPECT_EQ(
+        message("010\n01\n000\n"),
+        "map:2:3: expected 3 digits in each line, as in the first one, found the end of the line");
     EXPECT_EQ(message("P5 100000 100000 255\n"),
               "map:2:1: expected 10000000000 bytes of pixels, found the end of the file");
     EXPECT_EQ(message("P4 2 2\n\x80"),

@@ -17,7 +17,9 @@ RC_GTEST_PROP(RoundTrip, ProblemsReadBackToTheSameNumbers, (std::uint64_t seed))
     const core::Problem problem = test::random_problem(random);
     write_problem(folder / "p", problem);
     const ProblemFile back = read_problem(folder / "p");
-    RC_ASSERT(back.warnings.empty());
+    // Some of the obstacles are thinner than the tolerance, which is told.
+    for (const Warning& warning : back.warnings)
+        RC_ASSERT(warning.message.find("vanishes") != std::string::npos);
     RC_ASSERT(back.problem.start == problem.start);
     RC_ASSERT(back.problem.goal == problem.goal);
     RC_ASSERT(back.problem.obstacles == problem.obstacles);

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "io/solution/run_facts.hpp"
-#include "io/text/json_place.hpp"
+#include "io/text/json/place.hpp"
 #include "io/text/parse_error.hpp"
 #include "tests/kit/files/error_message.hpp"
 #include "tests/kit/files/temporary_folder.hpp"

@@ -65,7 +65,7 @@ std::vector<Malformed> other_formats() {
          "1:1: expected no other members than version, body, start, goal, bounds, obstacles, map, "
          "step, tolerance at \\x1B[31mRED\\x07, found 1"},
         {"JSON of brackets", "{\"a\":" + std::string(66'000, '[') + std::string(66'000, ']') + "}",
-         "1:70: expected at most 64 brackets inside each other, found one more"},
+         "1:69: expected at most 64 brackets inside each other, found one more"},
         {"JSON of brackets that are open", "{\"a\":" + std::string(200'000, '['),
          "1:69: expected at most 64 brackets inside each other, found one more"},
     };

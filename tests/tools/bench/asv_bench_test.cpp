@@ -148,7 +148,7 @@ TEST(BenchProgram, WrongUsageNamesWhatThereIs) {
         {{"--plot", "b.gif"}, "must end in .svg, .png or .pdf"},
         {{"--direction", "sideways"}, "forward"},
         {{"--seeds", "0"}, "--seeds"},
-        {{"--time-limit", "nan"}, "not a finite number"}};
+        {{"--time-limit", "nan"}, "'nan' is not a decimal number"}};
     for (const auto& [options, message] : cases) {
         const Outcome outcome = run_program("asv-bench", [&] {
             Words arguments{testcase_file("3ASV.txt")};

@@ -1,4 +1,4 @@
-#include "io/text/json_limits.hpp"
+#include "io/text/json/limits.hpp"
 
 #include <algorithm>
 #include <set>
@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/text/json_place.hpp"
+#include "io/text/json/place.hpp"
 #include "io/text/parse_error.hpp"
 
 namespace asv::io {

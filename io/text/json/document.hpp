@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/text/json_place.hpp"
+#include "io/text/json/place.hpp"
 #include "io/text/warning.hpp"
 
 namespace asv::io {

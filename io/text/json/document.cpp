@@ -1,10 +1,10 @@
-#include "io/text/json_document.hpp"
+#include "io/text/json/document.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <sstream>
 
-#include "io/text/json_limits.hpp"
+#include "io/text/json/limits.hpp"
 #include "io/text/parse_error.hpp"
 #include "io/text/scanner.hpp"
 

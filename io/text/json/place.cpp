@@ -1,4 +1,4 @@
-#include "io/text/json_place.hpp"
+#include "io/text/json/place.hpp"
 
 #include <algorithm>
 #include <optional>

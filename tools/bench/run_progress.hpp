@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+
+#include "core/benchmark/run.hpp"
+#include "tools/common/progress_line.hpp"
+
+namespace asv::tools {
+
+/// Shows which run of a benchmark is at work, and how long all of them may take.
+class RunProgress {
+  public:
+    /// Precondition: the plan outlives this.
+    RunProgress(const core::BenchmarkPlan& plan, bool wanted) : plan_(plan), line_(wanted) {}
+
+    void begin(const core::RunPlace& place);
+    void end() { ++done_; }
+
+  private:
+    const core::BenchmarkPlan& plan_;
+    ProgressLine line_;
+    core::Clock::time_point begun_ = core::Clock::now();
+    std::size_t done_ = 0;
+};
+
+}  // namespace asv::tools
