@@ -3,32 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "io/text/utf8.hpp"
+
 namespace asv::io {
 namespace {
-
-struct Character {
-    std::uint32_t code = 0;
-    std::size_t bytes = 0;  ///< 0 when this is not UTF-8
-};
-
-constexpr std::uint32_t largest_code = 0x10FFFF;
-
-/// The character at the beginning of a text that is not empty.
-Character first_character(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    if (byte(0) < 0x80) return {byte(0), 1};
-    const std::size_t bytes = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
-    if (byte(0) < 0xC2 || byte(0) > 0xF4 || text.size() < bytes) return {};
-    std::uint32_t code = byte(0) & (0xFFU >> (bytes + 1));
-    for (std::size_t i = 1; i < bytes; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80) return {};
-        code = code << 6U | (byte(i) & 0x3FU);
-    }
-    constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-    const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-    if (code < least[bytes] || code > largest_code || surrogate) return {};
-    return {code, bytes};
-}
 
 bool is_shown(std::uint32_t code) {
     struct Range {
@@ -50,7 +28,7 @@ std::string escaped(std::string_view text) {
     constexpr std::string_view hex = "0123456789ABCDEF";
     std::string result;
     while (!text.empty()) {
-        const Character character = first_character(text);
+        const Utf8Character character = first_character(text);
         const std::size_t bytes = std::max<std::size_t>(character.bytes, 1);
         if (character.bytes > 0 && is_shown(character.code)) {
             result += text.substr(0, bytes);

@@ -26,7 +26,7 @@ const std::array<manual::Entry, 8>& exit_codes() {
         {"3", "An input cannot be read or understood, or its start or goal is not valid"},
         {"4", "Proven to have no solution"},
         {"5", "An output cannot be written"},
-        {"70", "Internal error, a bug"},
+        {"70", "Internal error, or no memory"},
         {"130", "Interrupted by the user, with nothing to write"},
     }};
     return codes;

@@ -35,12 +35,6 @@ bool ignored(int signal) {
     return action.sa_handler == SIG_IGN;
 }
 
-sigset_t watched() {
-    sigset_t set = interrupting_signals();
-    sigaddset(&set, wake_up_signal);
-    return set;
-}
-
 }  // namespace
 
 sigset_t interrupting_signals() {
@@ -70,34 +64,34 @@ void end_anyway_after(std::chrono::milliseconds time, int exit_code) {
     ::setitimer(ITIMER_REAL, &once, nullptr);
 }
 
-InterruptWatch::InterruptWatch() {
-    const sigset_t set = watched();
-    pthread_sigmask(SIG_BLOCK, &set, nullptr);
-    // A thread that waits for the signals may do what a signal handler must not.
-    const auto watch = [this, set](const std::stop_token& done) {
-        while (!done.stop_requested()) {
-            int signal = 0;
-            if (sigwait(&set, &signal) != 0 || signal == wake_up_signal) continue;
-            if (interrupted_.stop_requested()) std::_Exit(interrupted);
-            interrupted_.request_stop();
-        }
-    };
+SignalThread::SignalThread(const Watch& watch) : set_(interrupting_signals()) {
+    sigaddset(&set_, wake_up_signal);
+    pthread_sigmask(SIG_BLOCK, &set_, nullptr);
     try {
-        watcher_ = std::jthread(watch);
+        thread_ = std::jthread([watch, set = set_](const std::stop_token& done) {
+            while (!done.stop_requested()) watch(done, set);
+        });
     } catch (const std::system_error&) {
         // The system grants no thread: the signals then end the process as they do elsewhere.
-        pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+        pthread_sigmask(SIG_UNBLOCK, &set_, nullptr);
     }
 }
 
-InterruptWatch::~InterruptWatch() {
-    if (watcher_.joinable()) {
-        watcher_.request_stop();
-        pthread_kill(watcher_.native_handle(), wake_up_signal);
-        watcher_.join();
+SignalThread::~SignalThread() {
+    if (thread_.joinable()) {
+        thread_.request_stop();
+        pthread_kill(thread_.native_handle(), wake_up_signal);
+        thread_.join();
     }
-    const sigset_t set = watched();
-    pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+    pthread_sigmask(SIG_UNBLOCK, &set_, nullptr);
 }
+
+InterruptWatch::InterruptWatch()
+    : thread_([this](const std::stop_token& /*done*/, const sigset_t& signals) {
+          int signal = 0;
+          if (sigwait(&signals, &signal) != 0 || signal == wake_up_signal) return;
+          if (interrupted_.stop_requested()) std::_Exit(interrupted);
+          interrupted_.request_stop();
+      }) {}
 
 }  // namespace asv::tools

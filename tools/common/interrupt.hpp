@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <functional>
 #include <stop_token>
 #include <thread>
 
@@ -20,24 +21,39 @@ void end_on_interrupt();
 /// not outlast this either.
 void end_anyway_after(std::chrono::milliseconds time, int exit_code);
 
+/// Ends the wait of a SignalThread, when nothing has interrupted it.
+inline constexpr int wake_up_signal = SIGUSR1;
+
+/// A thread that waits for these signals, since it may do what a signal handler must not; no other
+/// thread gets them while it lives. Where the system grants no thread, they end the process.
+/// Precondition: made before any other thread, so that all of them leave the signals alone.
+class SignalThread {
+  public:
+    /// Waits once for the signals, of which wake_up_signal only asks to return; called over and
+    /// over until a stop is requested.
+    using Watch = std::function<void(const std::stop_token&, const sigset_t&)>;
+
+    explicit SignalThread(const Watch& watch);
+    ~SignalThread();
+    SignalThread(const SignalThread&) = delete;
+    SignalThread& operator=(const SignalThread&) = delete;
+
+  private:
+    sigset_t set_;
+    std::jthread thread_;
+};
+
 /// While it lives, these signals ask for a stop instead; a second one ends the process at once with
-/// exit code 130. Precondition: made before any other thread, so that all of them leave the signals
-/// alone.
+/// exit code 130. Precondition: that of SignalThread.
 class InterruptWatch {
   public:
     InterruptWatch();
-    ~InterruptWatch();
-    InterruptWatch(const InterruptWatch&) = delete;
-    InterruptWatch& operator=(const InterruptWatch&) = delete;
 
     std::stop_token token() const { return interrupted_.get_token(); }
 
   private:
     std::stop_source interrupted_;
-    std::jthread watcher_;
+    SignalThread thread_;
 };
-
-/// Ends the wait of a thread for signals, when nothing has interrupted it: for watches alone.
-inline constexpr int wake_up_signal = SIGUSR1;
 
 }  // namespace asv::tools

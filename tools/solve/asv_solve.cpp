@@ -16,7 +16,6 @@
 #include "tools/solve/arguments.hpp"
 #include "tools/solve/run_report.hpp"
 #include "tools/solve/run_watch.hpp"
-#include "tools/solve/warnings.hpp"
 
 namespace {
 
@@ -103,7 +102,7 @@ ExitCode solve_file(const CommandLine& command_line, Arguments& arguments) {
     roles.add_maps(file);
     roles.require_distinct();
     require_usable(arguments, file.problem);
-    warn_of_doubtful(arguments, file);
+    warn_of_idle_settings(arguments, file.problem);
     watch.enter(Stage::solving);
     try {
         const core::SolveResult result = solve(command_line, arguments, file.problem, watch);

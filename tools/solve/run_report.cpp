@@ -9,6 +9,7 @@
 
 #include <sys/resource.h>
 
+#include "core/solve/idle_settings.hpp"
 #include "io/solution/statistics_file.hpp"
 #include "io/solution/trees_file.hpp"
 #include "io/text/atomic_file.hpp"
@@ -131,6 +132,18 @@ void report_invalid_ends(const SolveArguments& arguments, const io::ProblemFile&
     for (const core::InvalidEnd& end : invalid.ends())
         std::cerr << name << ':' << (end.goal ? file.goal_line : file.start_line) << ": "
                   << (end.goal ? "goal" : "start") << " is not valid: " << end.reason << '\n';
+}
+
+void warn_of_idle_settings(const SolveArguments& arguments, const core::Problem& problem) {
+    if (arguments.quiet) return;
+    for (const std::string& setting : arguments.settings) {
+        const std::string name = setting.substr(0, setting.find('='));
+        const std::string why =
+            core::why_without_effect(arguments.solve.planner, name, problem.body_kind());
+        if (!why.empty())
+            std::cerr << "asv-solve: warning: --set " << setting << " has no effect: " << why
+                      << '\n';
+    }
 }
 
 std::string progress_text(const core::SolveProgress& progress) {

@@ -25,6 +25,10 @@ void report(const SolveArguments& arguments, const core::SolveResult& result);
 void report_invalid_ends(const SolveArguments& arguments, const io::ProblemFile& file,
                          const core::InvalidEnds& invalid);
 
+/// A line on standard error for each setting that changes nothing, with the reason; none with
+/// --quiet.
+void warn_of_idle_settings(const SolveArguments& arguments, const core::Problem& problem);
+
 /// One line while it runs.
 std::string progress_text(const core::SolveProgress& progress);
 

@@ -5,13 +5,9 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
-#include <system_error>
 #include <utility>
 
-#include <pthread.h>
 #include <unistd.h>
-
-#include "tools/common/interrupt.hpp"
 
 namespace asv::tools {
 
@@ -28,12 +24,6 @@ constexpr milliseconds patience{70}, patience_of_a_busy_machine{250};
 constexpr milliseconds between_looks{5};
 /// Before the limit, to see how long the end will take.
 constexpr milliseconds look_ahead{100};
-
-sigset_t watched() {
-    sigset_t set = interrupting_signals();
-    sigaddset(&set, wake_up_signal);
-    return set;
-}
 
 timespec time_until(Clock::time_point moment) {
     const auto left = std::clamp(moment - Clock::now(), Clock::duration::zero(),
@@ -61,43 +51,23 @@ double processor_seconds() {
 
 RunWatch::RunWatch(std::optional<Clock::time_point> limit,
                    std::function<int(const CutOff&)> give_up)
-    : limit_(limit), give_up_(std::move(give_up)) {
-    const sigset_t set = watched();
-    pthread_sigmask(SIG_BLOCK, &set, nullptr);
-    try {
-        watcher_ = std::jthread([this](const std::stop_token& done) { watch(done); });
-    } catch (const std::system_error&) {
-        // The system grants no thread: signals then end the process at once, and the limit is kept
-        // as far as the solver keeps it.
-        pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
-    }
-}
-
-RunWatch::~RunWatch() {
-    if (watcher_.joinable()) {
-        watcher_.request_stop();
-        pthread_kill(watcher_.native_handle(), wake_up_signal);
-        watcher_.join();
-    }
-    const sigset_t set = watched();
-    pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
-}
+    : limit_(limit),
+      give_up_(std::move(give_up)),
+      thread_(
+          [this](const std::stop_token& done, const sigset_t& signals) { watch(done, signals); }) {}
 
 void RunWatch::enter(Stage stage, bool to_stream) {
     to_stream_ = to_stream;
     stage_ = stage;
 }
 
-void RunWatch::watch(const std::stop_token& done) {
-    const sigset_t set = watched();
-    while (!done.stop_requested()) {
-        const timespec wait = time_until(next_look());
-        const int signal = ::sigtimedwait(&set, nullptr, &wait);
-        if (done.stop_requested()) return;
-        if (signal > 0 && signal != wake_up_signal) take_signal();
-        if (interrupted_.stop_requested() && patience_is_over()) cut_off(true);
-        if (limit_ && Clock::now() >= *limit_ - time_to_end()) cut_off(false);
-    }
+void RunWatch::watch(const std::stop_token& done, const sigset_t& signals) {
+    const timespec wait = time_until(next_look());
+    const int signal = ::sigtimedwait(&signals, nullptr, &wait);
+    if (done.stop_requested()) return;
+    if (signal > 0 && signal != wake_up_signal) take_signal();
+    if (interrupted_.stop_requested() && patience_is_over()) cut_off(true);
+    if (limit_ && Clock::now() >= *limit_ - time_to_end()) cut_off(false);
 }
 
 Clock::time_point RunWatch::next_look() const {

@@ -4,9 +4,9 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
-#include <thread>
 
 #include "core/search/limits.hpp"
+#include "tools/common/interrupt.hpp"
 
 namespace asv::tools {
 
@@ -28,14 +28,10 @@ struct CutOff {
 class RunWatch {
   public:
     /// give_up tells the user and returns the exit code; it is called from the watching thread and
-    /// gets a few milliseconds. Precondition: made before any other thread. Without a limit only
-    /// signals are watched for.
+    /// gets a few milliseconds. Precondition: that of SignalThread. Without a limit only signals
+    /// are watched for; where the system grants no thread the solver alone keeps the limit.
     RunWatch(std::optional<core::Clock::time_point> limit,
              std::function<int(const CutOff&)> give_up);
-    /// The run has ended in time.
-    ~RunWatch();
-    RunWatch(const RunWatch&) = delete;
-    RunWatch& operator=(const RunWatch&) = delete;
 
     /// Asks for a stop once a signal has come.
     std::stop_token interrupted() const { return interrupted_.get_token(); }
@@ -44,7 +40,7 @@ class RunWatch {
     void note_path(double seconds) { path_after_ = seconds; }
 
   private:
-    void watch(const std::stop_token& done);
+    void watch(const std::stop_token& done, const sigset_t& signals);
     /// The next moment at which something has to be looked at.
     core::Clock::time_point next_look() const;
     bool patience_is_over() const;
@@ -59,7 +55,7 @@ class RunWatch {
     std::atomic<Stage> stage_ = Stage::reading;
     std::atomic<bool> to_stream_ = false;
     std::atomic<double> path_after_ = -1;
-    std::jthread watcher_;
+    SignalThread thread_;
 };
 
 /// Seconds of processors that the process has used.

@@ -106,30 +106,6 @@ TEST(AtomicFile, AFullDeviceIsAnError) {
               "/dev/full: No space left on device");
 }
 
-// A limit on the size of files fails a write half-way, as a full disk does.
-TEST(AtomicFile, AFailedWriteLeavesTheOldFileAndNothingElse) {
-    const TemporaryFolder folder;
-    write_file(folder / "f", "old");
-    const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-        std::signal(SIGXFSZ, SIG_DFL);
-        const rlimit limit{1000, 1000};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-        try {
-            write_file(folder / "f", std::string(100'000, 'n'));
-        } catch (const WriteError&) {
-            ::_exit(5);
-        }
-        ::_exit(0);
-    }
-    int status = 0;
-    ASSERT_EQ(::waitpid(child, &status, 0), child);
-    EXPECT_EQ(WEXITSTATUS(status), 5);
-    EXPECT_EQ(read_file(folder / "f"), "old");
-    EXPECT_EQ(folder.entries(), 1);
-}
-
 /// How the child ends that does this.
 template <class Work>
 int end_of_child(const Work& work) {
@@ -141,6 +117,39 @@ int end_of_child(const Work& work) {
     int status = 0;
     EXPECT_EQ(::waitpid(child, &status, 0), child);
     return status;
+}
+
+/// How a process ends whose write is failed half-way by a limit on the size of files, as a full
+/// disk does; the signal that comes with it is not ignored by the process.
+int end_of_writing_too_much(const std::filesystem::path& file) {
+    return end_of_child([&] {
+        std::signal(SIGXFSZ, SIG_DFL);
+        const rlimit limit{1000, 1000};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        try {
+            write_file(file, std::string(100'000, 'n'));
+        } catch (const WriteError&) {
+            ::_exit(5);
+        }
+    });
+}
+
+TEST(AtomicFile, AFailedWriteLeavesTheOldFileAndNothingElse) {
+    const TemporaryFolder folder;
+    write_file(folder / "f", "old");
+    const int status = end_of_writing_too_much(folder / "f");
+    ASSERT_TRUE(WIFEXITED(status)) << WTERMSIG(status);
+    EXPECT_EQ(WEXITSTATUS(status), 5);
+    EXPECT_EQ(read_file(folder / "f"), "old");
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(AtomicFile, AFailedWriteOfANewFileLeavesNothing) {
+    const TemporaryFolder folder;
+    const int status = end_of_writing_too_much(folder / "f");
+    ASSERT_TRUE(WIFEXITED(status)) << WTERMSIG(status);
+    EXPECT_EQ(WEXITSTATUS(status), 5);
+    EXPECT_EQ(folder.entries(), 0);
 }
 
 TEST(AtomicFile, WhateverEndsTheProcessFilesAreWholeOrNotThere) {
@@ -167,23 +176,6 @@ TEST(AtomicFile, WhateverEndsTheProcessFilesAreWholeOrNotThere) {
             fs::remove(entry.path());
         }
     }
-}
-
-TEST(AtomicFile, AFileThatMayNotGrowIsAFailedWriteAndNoSignal) {
-    const TemporaryFolder folder;
-    const int status = end_of_child([&] {
-        std::signal(SIGXFSZ, SIG_DFL);
-        const rlimit limit{1000, 1000};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-        try {
-            write_file(folder / "f", std::string(100'000, 'n'));
-        } catch (const WriteError&) {
-            ::_exit(5);
-        }
-    });
-    ASSERT_TRUE(WIFEXITED(status)) << WTERMSIG(status);
-    EXPECT_EQ(WEXITSTATUS(status), 5);
-    EXPECT_EQ(folder.entries(), 0);
 }
 
 TEST(AtomicFile, OldFilesKeepTheirOwner) {
