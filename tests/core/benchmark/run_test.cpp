@@ -10,12 +10,13 @@
 #include "core/benchmark/machine_unit.hpp"
 #include "core/validation/validate.hpp"
 #include "io/problem/problem_file.hpp"
+#include "tests/kit/chains/problems.hpp"
 
 namespace asv::core {
 namespace {
 
 BenchmarkProblem problem_named(const std::string& name) {
-    const std::string file = std::string(ASV_SOURCE_DIR) + "/testcases/" + name + ".txt";
+    const std::string file = test::testcase_file(name + ".txt");
     return {name, file, io::read_problem(file).problem};
 }
 

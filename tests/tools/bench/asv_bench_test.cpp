@@ -150,11 +150,9 @@ TEST(BenchProgram, WrongUsageNamesWhatThereIs) {
         {{"--seeds", "0"}, "--seeds"},
         {{"--time-limit", "nan"}, "'nan' is not a decimal number"}};
     for (const auto& [options, message] : cases) {
-        const Outcome outcome = run_program("asv-bench", [&] {
-            Words arguments{testcase_file("3ASV.txt")};
-            arguments.insert(arguments.end(), options.begin(), options.end());
-            return arguments;
-        }());
+        Words arguments{testcase_file("3ASV.txt")};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome outcome = run_program("asv-bench", arguments);
         EXPECT_EQ(outcome.exit_code, 2) << options[1];
         EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
     }
