@@ -38,6 +38,27 @@ std::string link_name(const Offender& offender) {
     return numbered(part_names(offender.body).link, offender.broom);
 }
 
+/// With so many digits that it is not the same as what is wanted.
+std::string telling_number(double value, double other, double apart) {
+    const double scale = std::max(std::abs(value), std::abs(other));
+    const double digits = apart > 0 ? std::ceil(std::log10(scale / apart)) + 1 : 17;
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.*g", static_cast<int>(std::clamp(digits, 3.0, 17.0)),
+                  value);
+    return text.data();
+}
+
+std::string describe_length(const Offender& offender, const std::string& by) {
+    const std::string link = link_name(offender);
+    const double wanted = offender.wanted_length, off = std::abs(offender.length - wanted);
+    if (!(wanted > 0)) return link + " is too long or too short" + by;
+    std::string tolerance = short_number(off + offender.room);
+    if (const auto zero = tolerance.find("e-0"); zero != std::string::npos)
+        tolerance.erase(zero + 2, 1);
+    return link + " is " + telling_number(offender.length, wanted, off) + " long, " +
+           telling_number(wanted, offender.length, off) + " within " + tolerance + " is wanted";
+}
+
 std::string describe_turn(const Offender& offender, const std::string& by) {
     if (!offender.asv) return "the turns add up to more than 3 pi" + by + " rad";
     const std::string asv = "the turn at " + numbered("ASV", offender.asv);
@@ -84,7 +105,7 @@ std::string describe(Check check, const Offender& offender) {
             return "the written cost is wrong" + by;
         case Check::broom_lengths:
         case Check::link_lengths:
-            return link_name(offender) + " is too long or too short" + by;
+            return describe_length(offender, by);
         case Check::convexity:
             return describe_turn(offender, by);
         case Check::area:

@@ -42,6 +42,8 @@ struct Offender {
     std::optional<double> time;           ///< in [0, 1] between the state before and this one
     double room = 0;  ///< what is left to the limit; negative: violated by that much
     BodyKind body = BodyKind::chain;  ///< whose parts are meant
+    double length = 0;                ///< of a broom or link whose length is checked, as it is
+    double wanted_length = 0;         ///< as it has to be; 0 in all other checks
 };
 
 /// The outcome of one check over all states.

@@ -51,8 +51,11 @@ std::optional<Finding> find_not_finite(State from, State to) {
 }
 
 Finding check_side_length(State state, std::size_t i, double length, double tolerance) {
-    const double off = std::abs(distance(state[i], state[i + 1]) - length);
+    const double found = distance(state[i], state[i + 1]);
+    const double off = std::abs(found - length);
     Finding finding;
+    finding.offender.length = found;
+    finding.offender.wanted_length = length;
     finding.ok = off <= tolerance;
     finding.offender.broom = i;
     finding.offender.room = tolerance - off;

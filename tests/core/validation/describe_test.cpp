@@ -28,6 +28,20 @@ TEST(Describe, SaysWhoIsToBlameAndByHowMuch) {
     EXPECT_EQ(describe(Check::collisions, offender), "broom 3 meets obstacle 5 by 0.0012");
 }
 
+TEST(Describe, TellsALengthAndTheOneThatIsWanted) {
+    Offender offender;
+    offender.broom = 1;
+    offender.wanted_length = 0.05;
+    offender.length = 0.0447214;
+    offender.room = 1e-5 - (0.05 - 0.0447214);
+    EXPECT_EQ(describe(Check::broom_lengths, offender),
+              "broom 2 is 0.0447 long, 0.05 within 1e-5 is wanted");
+    offender.length = 0.0500123;
+    offender.room = 1e-5 - 0.0000123;
+    EXPECT_EQ(describe(Check::broom_lengths, offender),
+              "broom 2 is 0.050012 long, 0.05 within 1e-5 is wanted");
+}
+
 TEST(Describe, KnowsTheThreeOtherWaysNotToBeConvex) {
     Offender offender;
     offender.asv = 2;

@@ -70,8 +70,8 @@ TEST_F(ValidateProgram, NamesTheWorstOffender) {
                                "\\(state 1, line 3\\)")))
         << printed[0];
     EXPECT_TRUE(std::regex_match(
-        printed[3], std::regex("broom lengths +FAILED  1 of 2 states: broom 2 is too long or too "
-                               "short by 9e-05 \\(state 1, line 3\\)")))
+        printed[3], std::regex("broom lengths +FAILED  1 of 2 states: broom 2 is 0.0501 long, 0.05 "
+                               "within 1e-5 is wanted \\(state 1, line 3\\)")))
         << printed[3];
     EXPECT_EQ(printed.back(), "not valid");
 }
@@ -81,10 +81,10 @@ TEST_F(ValidateProgram, ListsEveryViolationWhenVerbose) {
         write("two", joined({"2 0", good_solution()[1], "0.15 0.2 0.1499 0.15 0.2 0.15",
                              "0.15 0.2004 0.1498 0.1504 0.2 0.1504"}));
     const std::string out = validate({problem_, two, "--verbose"}).out;
-    EXPECT_NE(out.find("\n    state 2, line 4: broom 2 is too long or too short by 0.00019"),
+    EXPECT_NE(out.find("\n    state 2, line 4: broom 2 is 0.0502 long, 0.05 within 1e-5"),
               std::string::npos)
         << out;
-    EXPECT_NE(out.find("\n    state 1, line 3: broom 2 is too long or too short by 9e-05"),
+    EXPECT_NE(out.find("\n    state 1, line 3: broom 2 is 0.0501 long, 0.05 within 1e-5"),
               std::string::npos)
         << out;
     EXPECT_EQ(validate({problem_, two}).out.find("    state"), std::string::npos);
