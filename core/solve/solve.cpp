@@ -18,9 +18,9 @@ namespace asv::core {
 
 namespace {
 
-/// Seconds to keep for turning a path into steps, checking and writing it: some 5 sides of the
-/// field for each ASV, in steps of the greatest length, at thrice the half microsecond that each
-/// position takes; and for all threads to notice that they have to end.
+/// Seconds of processor time to keep for turning a path into steps, checking and writing it: some 5
+/// sides of the field for each ASV, in steps of the greatest length, at thrice the half microsecond
+/// that each position takes; and for all threads to notice that they have to end.
 double time_to_finish(const Problem& problem, const SolveOptions& options) {
     const Box window = planning_window(problem);
     const double side = std::max(window.high.x - window.low.x, window.high.y - window.low.y);
@@ -28,8 +28,7 @@ double time_to_finish(const Problem& problem, const SolveOptions& options) {
         5 * side / problem.requirements.max_step * static_cast<double>(problem.asv_count());
     const auto obstacles = static_cast<double>(problem.obstacles.size());
     const auto threads = static_cast<double>(options.threads);
-    return std::min(0.015 + 1.5e-6 * positions + 4e-6 * obstacles + 2e-4 * threads,
-                    0.5 * options.time_limit);
+    return 0.015 + 1.5e-6 * positions + 4e-6 * obstacles + 2e-4 * threads;
 }
 
 /// Seconds to write a path as text.
@@ -116,8 +115,7 @@ SolveResult solve(const Problem& problem, const SolveOptions& options) {
     const PlanningFrame frame(problem, options.reverse);
     const auto solver = make_body_solver(frame.problem(), options.planner);
     SolveResult result;
-    const auto deadline = clock.moment_before_end(time_to_finish(problem, options));
-    plan({problem, options, clock, frame, *solver, deadline}, result);
+    plan({problem, options, clock, frame, *solver, time_to_finish(problem, options)}, result);
     result.statistics.time_total = clock.elapsed();
     return result;
 }

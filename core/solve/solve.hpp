@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <stop_token>
@@ -33,11 +34,15 @@ struct SolveOptions {
     std::uint64_t seed = 1;
     /// Seconds of wall clock for everything, 0 or more: a minute, since hard problems take seconds.
     double time_limit = 60;
+    /// Iterations of each thread's search, 1 or more: no limit, since time is what most have. With
+    /// it the end of a search in vain is the same on every machine.
+    std::size_t max_iterations = std::numeric_limits<std::size_t>::max();
     /// Seconds of improvement after the first path, 0 or more; counted as work of a 2.8 GHz core,
     /// not timed, so that the same seed gives the same path. One brings most problems close to the
     /// best that is known. 0: only the shortcuts that cost less time than writing what they save.
     double optimize = 1;
-    /// Threads that race with different seeds and strategies, then improve; 0 counts as 1. One,
+    /// Threads that race with different seeds and strategies, then improve; 0 counts as 1, and more
+    /// than 8 for each processor as 8. Fewer are started where the system grants no more. One,
     /// since several find another path each time.
     std::size_t threads = 1;
     /// Plan from the goal to the start; the path is given from the start to the goal all the same.
@@ -79,8 +84,8 @@ std::vector<InvalidEnd> invalid_ends(const Problem& problem);
 /// Plans, improves and checks. The same options with one thread and enough time give the same
 /// solution, byte for byte. Each call has a clock of its own, which starts with it.
 /// Throws InvalidEnds when start or goal is not valid, std::invalid_argument when an option makes
-/// no sense for the body, and std::logic_error when the validator rejects the path that was found
-/// (a bug).
+/// no sense for the body, std::logic_error when the validator rejects the path that was found (a
+/// bug), and std::bad_alloc when there is no memory, in whatever thread.
 SolveResult solve(const Problem& problem, const SolveOptions& options = {});
 
 }  // namespace asv::core

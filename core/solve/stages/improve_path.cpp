@@ -25,6 +25,7 @@ class PathImprovement {
           first_(first),
           statistics_(statistics),
           report_(call),
+          deadline_(call.deadline()),
           stop_by_caller_(call.options.stop, [this] { stop_.request_stop(); }) {}
 
     Configurations run() {
@@ -52,7 +53,7 @@ class PathImprovement {
         ImprovementOrder order;
         order.work = cheap_work + 1e6 * call_.options.optimize;
         order.other_paths = call_.options.optimize > 0;
-        order.limits.deadline = call_.deadline;
+        order.limits.deadline = deadline_;
         order.limits.stop = stop_.get_token();
         order.search_limits = order.limits;
         order.search_limits.max_iterations =
@@ -76,6 +77,7 @@ class PathImprovement {
     const RaceResult& first_;
     SolveStatistics& statistics_;
     ProgressReport report_;
+    Clock::time_point deadline_;
     std::stop_source stop_;
     std::stop_callback<std::function<void()>> stop_by_caller_;
     std::mutex mutex_;  ///< of the statistics and the best path

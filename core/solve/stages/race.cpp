@@ -35,6 +35,7 @@ class Race {
         : call_(call),
           result_(result),
           report_(call),
+          deadline_(call.deadline()),
           stop_by_caller_(call.options.stop, [this] { stop_.request_stop(); }) {}
 
     RaceResult run() {
@@ -47,7 +48,8 @@ class Race {
         // A thread that the system is late to start need not prepare for a race that is over.
         if (thread > 0 && stop_.stop_requested()) return;
         Limits limits;
-        limits.deadline = call_.deadline;
+        limits.deadline = deadline_;
+        limits.max_iterations = call_.options.max_iterations;
         limits.stop = stop_.get_token();
         Rng rng(call_.seed(thread));
         CostHistory history;
@@ -127,6 +129,7 @@ class Race {
     const SolveCall& call_;
     SolveResult& result_;
     ProgressReport report_;
+    Clock::time_point deadline_;
     bool looked_for_proof_ = false;
     std::atomic<bool> out_of_time_ = false;
     std::stop_source stop_;

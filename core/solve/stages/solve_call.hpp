@@ -21,9 +21,16 @@ struct SolveCall {
     const SolveClock& clock;
     const PlanningFrame& frame;
     const BodySolver& solver;  ///< of the frame's problem
-    /// When the search or the improvement has to end, so that what it found can still be checked
-    /// and written.
-    Clock::time_point deadline;
+    /// Seconds of processor time to keep for checking and writing a path.
+    double time_to_finish;
+
+    /// When a search or an improvement that begins now has to end, so that what it finds can still
+    /// be checked and written. On a busy machine that takes longer, but half of the time at most is
+    /// kept for it. Asked in the thread of the call.
+    Clock::time_point deadline() const {
+        return clock.moment_before_end(
+            std::min(time_to_finish * clock.slowdown(), 0.5 * clock.time_limit()));
+    }
 
     /// As many as were asked for, but so many for each processor at most: more only wait for each
     /// other, when a path is found as much as when the time is up.

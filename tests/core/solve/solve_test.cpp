@@ -231,6 +231,15 @@ TEST(Solve, EndsWhenItsTimeIsOver) {
     EXPECT_FALSE(result.reason.empty());
 }
 
+TEST(Solve, EndsAfterItsIterations) {
+    SolveOptions options = plain(1);
+    options.max_iterations = 1;
+    const SolveResult result = solve(testcase("7ASV.txt"), options);
+    EXPECT_EQ(result.status, SolveStatus::timeout);
+    EXPECT_EQ(result.statistics.iterations, 1);
+    EXPECT_EQ(result.reason, "no path found: " + std::string(name(Outcome::iterations)));
+}
+
 TEST(Solve, EndsWhenItIsStopped) {
     std::stop_source source;
     SolveOptions options = plain(1);
