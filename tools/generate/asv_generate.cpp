@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/generate/families.hpp"
-#include "core/generate/vouch/vouch.hpp"
 #include "io/problem/generation_file.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/text/atomic_file.hpp"
@@ -15,6 +14,7 @@
 #include "tools/generate/family_commands.hpp"
 #include "tools/generate/likeness.hpp"
 #include "tools/generate/option_kinds.hpp"
+#include "tools/generate/solvability.hpp"
 
 namespace {
 
@@ -56,9 +56,10 @@ void add_common_options(CLI::App& app, Arguments& arguments) {
                            "Least turn at every ASV of start and goal, in radians");
     asv::tools::add_number(app, "--least-closing", chain.min_closing_side, {0, 0.05},
                            "Least distance of the first to the last ASV of start and goal");
-    app.add_flag("--solvable", arguments.solvable,
-                 "Check whether a simple path exists and write the verdict, solvable or unknown, "
-                 "with all parameters to OUTPUT.json (nowhere where OUTPUT is -)");
+    app.add_flag(
+        "--solvable", arguments.solvable,
+        "Check whether a path is certain to exist and write the verdict, solvable or unknown, "
+        "with all parameters to OUTPUT.json (nowhere where OUTPUT is -)");
     asv::tools::add_count(app, "--attempts", arguments.attempts, {1, 1'000'000},
                           "With --solvable: draw up to so many problems until one is solvable for "
                           "certain, else keep the last");
@@ -101,7 +102,7 @@ ExitCode generate(const CommandLine& command_line, const CLI::App& app, const Fa
         while (attempt < attempts && !verdict.solvable) {
             ++attempt;
             problem = family.draw(arguments.chain, rng);
-            if (arguments.solvable) verdict = core::vouch(problem);
+            if (arguments.solvable) verdict = asv::tools::solvability(problem, arguments.seed);
         }
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());

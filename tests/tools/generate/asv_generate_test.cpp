@@ -88,6 +88,13 @@ TEST_F(GenerateProgram, VerdictIsInTheSideFile) {
     EXPECT_EQ(message(), "");
 }
 
+TEST_F(GenerateProgram, ThePlannerIsAskedWhereTheSimpleCheckCannotTell) {
+    ASSERT_EQ(run("bend -n 7 --seed 4 --solvable -o p.txt"), 0);
+    const auto record = nlohmann::json::parse(text("p.txt.json"));
+    EXPECT_EQ(record["verdict"], "solvable");
+    EXPECT_EQ(record["reason"], "the planner finds a path, which the validator passes");
+}
+
 TEST_F(GenerateProgram, WrongUsageIsNamedAndWritesNothing) {
     const auto expect_usage = [&](const std::string& arguments, const std::string& named) {
         EXPECT_EQ(run(arguments), 2) << arguments;
