@@ -23,6 +23,7 @@ cp -r "$project/testcases" "$tree/testcases"
 mkdir "$tree/docs"
 cp -r "$project/docs/examples" "$tree/docs/examples"
 cp -r "$project/tests/house/consumer" "$tree/tests/house/consumer"
+cp -r "$project/tests/tools" "$tree/tests/tools"
 
 kinds='^```sh installed$'
 ! compgen -G "$debs/python3-asv_*.deb" > /dev/null || kinds='^```sh installed( python)?$'
@@ -36,15 +37,8 @@ if ! in_root "$root" /root/asv 'apt-get update && bash -euvo pipefail commands' 
 fi
 echo "docs/packages.md: $(grep -c . "$tree/commands") lines run in a clean Debian"
 
-# Programs that have man pages at all have one each, and completions are scripts that their shell reads.
-in_root "$root" / 'for program in bench generate solve validate view; do
-    if [ -d /usr/share/man/man1 ] && ls /usr/share/man/man1/asv-* > /dev/null 2>&1; then
-        gzip -t "/usr/share/man/man1/asv-$program.1.gz"
-    fi
-done
-for file in /usr/share/bash-completion/completions/asv-*; do
-    [ ! -e "$file" ] || bash -n "$file"
-done'
+# The shell of that Debian completes what is installed in it.
+in_root "$root" /root/asv 'tests/tools/manual/completion.sh bash /usr/share /usr/bin'
 
 mapfile -t packages < <(for deb in "$debs"/*.deb; do dpkg-deb --field "$deb" Package; done)
 in_root "$root" / "apt-get purge ${packages[*]}" > "$work/log" 2>&1 || { tail "$work/log"; exit 1; }
