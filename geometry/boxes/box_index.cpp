@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include "geometry/boxes/box_query-inl.hpp"
+#include "geometry/simd/dispatch.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace asv::geometry::HWY_NAMESPACE {
@@ -168,8 +169,8 @@ namespace asv::geometry {
 
 namespace {
 
-HWY_EXPORT(Advance);
-HWY_EXPORT(Nearest);
+ASV_SIMD_EXPORT(Advance);
+ASV_SIMD_EXPORT(Nearest);
 
 // Shorter segments are treated as their bounding boxes; their squares lose digits to underflow.
 constexpr double min_length = 1e-140;
@@ -233,7 +234,7 @@ detail::BoxSearch BoxIndex::begin(const Segment& query, double radius) const {
 }
 
 std::uint32_t BoxIndex::advance(detail::BoxSearch& search) const {
-    return HWY_DYNAMIC_DISPATCH(Advance)(tree_, search);
+    return ASV_SIMD_DISPATCH(Advance)(tree_, search);
 }
 
 const detail::DustGrid& BoxIndex::dust() const {
@@ -242,8 +243,8 @@ const detail::DustGrid& BoxIndex::dust() const {
 }
 
 double BoxIndex::distance(const Segment& segment, double cutoff) const {
-    return HWY_DYNAMIC_DISPATCH(Nearest)(tree_, boxes_, segment,
-                                         region(segment, 0, tree_.largest_coordinate), cutoff);
+    return ASV_SIMD_DISPATCH(Nearest)(tree_, boxes_, segment,
+                                      region(segment, 0, tree_.largest_coordinate), cutoff);
 }
 
 }  // namespace asv::geometry

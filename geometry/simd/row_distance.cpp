@@ -7,6 +7,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "geometry/simd/dispatch.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace asv::geometry::simd::HWY_NAMESPACE {
 namespace {
@@ -60,14 +62,14 @@ HWY_AFTER_NAMESPACE();
 namespace asv::geometry::simd {
 
 namespace {
-HWY_EXPORT(SquaredDistances);
+ASV_SIMD_EXPORT(SquaredDistances);
 }
 
 void squared_distances(std::span<const float> blocks, const WrappingRow& from,
                        std::span<float> squared, std::span<float> least) noexcept {
     assert(blocks.size() == block_rows * from.value.size() * least.size());
     assert(squared.size() == block_rows * least.size());
-    HWY_DYNAMIC_DISPATCH(SquaredDistances)(blocks, from, squared, least);
+    ASV_SIMD_DISPATCH(SquaredDistances)(blocks, from, squared, least);
 }
 
 }  // namespace asv::geometry::simd

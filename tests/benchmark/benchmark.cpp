@@ -2,13 +2,14 @@
 #include <cstdio>
 #include <functional>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
+#include "geometry/simd/instruction_set.hpp"
 #include "tests/benchmark/scene.hpp"
-#include "tests/benchmark/simd_target.hpp"
 #include "tests/kit/batch/batch_worlds.hpp"
 
 /// State checks per second (kinematics, bounds, turns, closing turns, area, collision) on valid
@@ -125,29 +126,30 @@ void register_case(const Case& wanted) {
     }
 }
 
-/// Takes --simd=TARGET out of the arguments and obeys it; false when it cannot.
-bool choose_simd_target(int& argc, char** argv) {
+/// Takes --simd=NAME out of the arguments and obeys it; false when it cannot.
+bool choose_instruction_set(int& argc, char** argv) {
     const std::string option = "--simd=";
     for (int i = 1; i < argc; ++i) {
         const std::string argument = argv[i];
         if (!argument.starts_with(option)) continue;
-        if (!force_simd_target(argument.substr(option.size()))) {
-            std::fprintf(stderr, "no %s here; there are: %s\n", argument.c_str(),
-                         simd_target_names().c_str());
+        try {
+            simd::use_instruction_set(argument.substr(option.size()));
+        } catch (const std::invalid_argument& error) {
+            std::fprintf(stderr, "%s\n", error.what());
             return false;
         }
         std::copy(argv + i + 1, argv + argc + 1, argv + i);
         --argc;
         break;
     }
-    std::printf("kernels on %s\n", chosen_simd_target().c_str());
+    std::printf("kernels on %s\n", simd::instruction_set().c_str());
     return true;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (!choose_simd_target(argc, argv)) return 2;
+    if (!choose_instruction_set(argc, argv)) return 2;
     for (const std::size_t points : {3U, 7U, 15U, 25U}) {
         for (const std::size_t boxes : {2U, 7U, 100U, 10'000U, 1'000'000U}) {
             register_case({"dust", points, boxes});

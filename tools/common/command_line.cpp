@@ -7,8 +7,10 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 #include <string_view>
 
+#include "geometry/simd/instruction_set.hpp"
 #include "io/text/parse_error.hpp"
 #include "tools/common/interrupt.hpp"
 #include "tools/manual/manual.hpp"
@@ -46,6 +48,14 @@ const std::array<manual::Entry, 8>& exit_codes() {
     std::_Exit(static_cast<int>(ExitCode::internal));
 }
 
+void obey_environment() {
+    try {
+        geometry::simd::use_instruction_set_of_environment();
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+}
+
 /// Comes before all other objects of the program.
 [[gnu::init_priority(101)]] const struct LastResort {
     LastResort() { std::set_terminate(end_without_abort); }
@@ -79,6 +89,7 @@ ExitCode CommandLine::parse_and_act(int argc, const char* const* argv,
     try {
         if (!write_manual(argc, argv)) {
             options_.parse(argc, argv);
+            obey_environment();
             code = action();
         }
     } catch (const CLI::ParseError& error) {

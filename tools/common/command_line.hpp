@@ -30,9 +30,10 @@ class CommandLine {
     CLI::App& options() { return options_; }
     bool quiet() const { return quiet_; }
 
-    /// Parses the arguments, calls the action and returns the exit code of the process. A wrong
-    /// argument gives 2, io::ParseError and io::ReadError 3, io::WriteError and a standard output
-    /// that cannot be written 5, anything else that is thrown 70.
+    /// Parses the arguments, obeys ASV_SIMD (docs/programs.md), calls the action and returns the
+    /// exit code of the process. A wrong argument gives 2, io::ParseError and io::ReadError 3,
+    /// io::WriteError and a standard output that cannot be written 5, anything else that is
+    /// thrown 70.
     /// `--manual man|bash|zsh|fish` alone prints the manual page or a completion; the build calls
     /// it.
     int run(int argc, const char* const* argv, const std::function<ExitCode()>& action) noexcept;

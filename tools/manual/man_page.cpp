@@ -193,6 +193,9 @@ std::string man_page(const Command& command, std::string_view version,
     if (takes_settings(command)) write_planners(page);
     page.section("EXIT STATUS");
     for (const Entry& code : exit_codes) page.item(bold(code.term), sentence(code.text));
+    page.section("ENVIRONMENT");
+    for (const Entry& variable : environment_of_all())
+        page.item(bold(variable.term), variable.text);
     page.section("FILES");
     for (const Entry& file : words.files) page.item(italic(file.term), file.text);
     page.section("EXAMPLES");

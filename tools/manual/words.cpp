@@ -97,4 +97,11 @@ Words words_of(std::string_view program) {
     throw std::invalid_argument("no manual page for '" + std::string(program) + "'");
 }
 
+std::vector<Entry> environment_of_all() {
+    return {{"ASV_SIMD",
+             "The instruction set that vector code runs on, instead of the best that the processor "
+             "has: AVX3 (which is AVX-512), AVX2, SSE4 or SCALAR (portable C++) on x86; NEON on "
+             "Arm. Answers and files are the same on each."}};
+}
+
 }  // namespace asv::tools::manual

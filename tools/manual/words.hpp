@@ -24,4 +24,7 @@ struct Words {
 /// Of one of our programs. Throws std::invalid_argument for another one.
 Words words_of(std::string_view program);
 
+/// The environment variables that all programs obey.
+std::vector<Entry> environment_of_all();
+
 }  // namespace asv::tools::manual

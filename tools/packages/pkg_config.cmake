@@ -27,7 +27,7 @@ function(asv_pkg_config component)
 endfunction()
 
 asv_pkg_config(core DESCRIPTION "planning and validation" LIBRARIES asv_core asv_geometry
-  PACKAGES libhwy mpfr gmp THREADS)
+  PACKAGES mpfr gmp THREADS)
 asv_pkg_config(generate DESCRIPTION "problems made to order" LIBRARIES asv_generate NEEDS core)
 asv_pkg_config(benchmark DESCRIPTION "runs of planners over problems" LIBRARIES asv_benchmark NEEDS core)
 if(ASV_BUILD_IO)

@@ -12,6 +12,7 @@
 #include "core/chain/batch/chain_shape-inl.hpp"
 #include "core/chain/batch/link_search-inl.hpp"
 #include "geometry/predicates/segment_box.hpp"
+#include "geometry/simd/dispatch.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace asv::core::batch::HWY_NAMESPACE {
@@ -72,8 +73,8 @@ namespace asv::core::batch {
 
 namespace {
 
-HWY_EXPORT(Valid);
-HWY_EXPORT(Certify);
+ASV_SIMD_EXPORT(Valid);
+ASV_SIMD_EXPORT(Certify);
 
 }  // namespace
 
@@ -109,13 +110,13 @@ ChainBatch::ChainBatch(std::size_t links, const ChainLimits& limits, const BoxIn
 
 LaneMask ChainBatch::valid(std::span<const Pack> rows) {
     assert(rows.size() == links() + 2);
-    return HWY_DYNAMIC_DISPATCH(Valid)(limits_, boxes_, rows, scratch_);
+    return ASV_SIMD_DISPATCH(Valid)(limits_, boxes_, rows, scratch_);
 }
 
 StretchVerdict ChainBatch::certify(const Stretches& stretches) {
     assert(stretches.from.size() == links() + 2 && stretches.step.size() == links() + 2);
     const auto [certified, valid] =
-        HWY_DYNAMIC_DISPATCH(Certify)(limits_, boxes_, stretches, scratch_);
+        ASV_SIMD_DISPATCH(Certify)(limits_, boxes_, stretches, scratch_);
     return {certified & valid, valid};
 }
 

@@ -7,14 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/kit/geometry/adversary.hpp"
-#include "tests/kit/geometry/simd_targets.hpp"
+#include "tests/kit/geometry/forced_target.hpp"
 
 namespace asv::geometry {
 namespace {
 
 using test::Adversary;
 using test::ForcedTarget;
-using test::simd_targets;
 using Indices = std::vector<std::uint32_t>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -92,7 +91,7 @@ void expect_same_as_brute_force(const BoxIndex& index, Adversary& draw, double s
 }
 
 TEST(BoxIndex, SameAsBruteForce) {
-    for (const std::int64_t target : simd_targets()) {
+    for (const std::string& target : geometry::simd::instruction_sets()) {
         const ForcedTarget forced(target);
         constexpr std::uint64_t seed = 31;
         Adversary draw(seed);
@@ -113,7 +112,7 @@ TEST(BoxIndex, SameAsBruteForce) {
 
 // From some number of boxes on they are kept in steps of their leaf.
 TEST(BoxIndex, ManyBoxesAsByBruteForce) {
-    for (const std::int64_t target : simd_targets()) {
+    for (const std::string& target : geometry::simd::instruction_sets()) {
         const ForcedTarget forced(target);
         constexpr std::uint64_t seed = 32;
         Adversary draw(seed);

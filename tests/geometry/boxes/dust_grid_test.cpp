@@ -11,7 +11,7 @@
 #include "core/chain/batch/chain_batch.hpp"
 #include "tests/kit/batch/batch_worlds.hpp"
 #include "tests/kit/geometry/adversary.hpp"
-#include "tests/kit/geometry/simd_targets.hpp"
+#include "tests/kit/geometry/forced_target.hpp"
 #include "tests/kit/scaled.hpp"
 
 namespace asv::geometry {
@@ -27,7 +27,6 @@ using geometry::simd::lanes;
 using geometry::simd::Pack;
 using test::Adversary;
 using test::ForcedTarget;
-using test::simd_targets;
 
 constexpr std::size_t many = 40'000;
 
@@ -177,15 +176,14 @@ void expect_same_as_index(const std::vector<Box>& boxes, const Point& low, Adver
         ChainBatch batch(1, limits, index);
         for (std::size_t i = 0; i < test::scaled(300); ++i) {
             const std::vector<Pack> rows = brooms(boxes, low, length, draw);
-            for (const std::int64_t target : simd_targets()) {
+            for (const std::string& target : geometry::simd::instruction_sets()) {
                 const ForcedTarget forced(target);
                 const LaneMask valid = batch.valid(rows);
                 for (std::size_t lane = 0; lane < lanes; ++lane) {
                     const Segment broom{{batch.x()[0][lane], batch.y()[0][lane]},
                                         {batch.x()[1][lane], batch.y()[1][lane]}};
                     ASSERT_EQ(valid >> lane & 1, index.meets(broom) ? 0U : 1U)
-                        << hwy::TargetName(target) << ", length " << length << ", broom " << i
-                        << ", lane " << lane;
+                        << target << ", length " << length << ", broom " << i << ", lane " << lane;
                     valid_count += valid >> lane & 1;
                     ++count;
                 }
@@ -237,7 +235,7 @@ TEST(DustGrid, NoStretchIsCertifiedThroughABox) {
                 stretches.half_length[lane] = 1 / 16.0;
             }
             const LaneMask certified = batch.certify(stretches).certified;
-            for (const std::int64_t target : simd_targets()) {
+            for (const std::string& target : geometry::simd::instruction_sets()) {
                 const ForcedTarget forced(target);
                 ASSERT_EQ(batch.certify(stretches).certified, certified);
             }

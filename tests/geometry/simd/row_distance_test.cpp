@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/kit/geometry/adversary.hpp"
-#include "tests/kit/geometry/simd_targets.hpp"
+#include "tests/kit/geometry/forced_target.hpp"
 
 namespace asv::geometry {
 namespace {
@@ -15,7 +15,6 @@ namespace {
 using geometry::simd::block_rows;
 using test::Adversary;
 using test::ForcedTarget;
-using test::simd_targets;
 
 TEST(RowDistance, TheStatedOperationsWithTheSameBitsOnEveryTarget) {
     Adversary draw(5);
@@ -45,12 +44,12 @@ TEST(RowDistance, TheStatedOperationsWithTheSameBitsOnEveryTarget) {
                 if (row % block_rows == 0) expected_least.push_back(sum);
                 expected_least.back() = std::min(expected_least.back(), sum);
             }
-            for (const std::int64_t target : simd_targets()) {
+            for (const std::string& target : geometry::simd::instruction_sets()) {
                 const ForcedTarget forced(target);
                 std::vector<float> squared(expected.size()), least(blocks);
                 geometry::simd::squared_distances(rows, {from, period, inverse}, squared, least);
-                EXPECT_EQ(squared, expected) << hwy::TargetName(target);
-                EXPECT_EQ(least, expected_least) << hwy::TargetName(target);
+                EXPECT_EQ(squared, expected) << target;
+                EXPECT_EQ(least, expected_least) << target;
             }
         }
     }

@@ -9,6 +9,7 @@
 
 #include "core/solve/solve.hpp"
 #include "core/validation/validate.hpp"
+#include "geometry/simd/instruction_set.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/solution/solution_file.hpp"
 #include "io/solution/trees_file.hpp"
@@ -109,6 +110,31 @@ Words all_planners() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ours, EveryPlanner, testing::ValuesIn(all_planners()), identifier);
+
+TEST(AsvSolve, EveryInstructionSetGivesTheSameBytes) {
+    const TemporaryFolder folder;
+    std::string expected;
+    for (const std::string& name : geometry::simd::instruction_sets()) {
+        const std::string out = folder / (name + ".txt");
+        const Outcome run = run_program(
+            "asv-solve", {testcase_file("3ASV.txt"), out, "--threads", "1", "--optimize", "0.02"},
+            {.environment = {"ASV_SIMD=" + name}});
+        ASSERT_EQ(run.exit_code, 0) << name << ": " << run.err;
+        if (expected.empty()) expected = io::read_file(out);
+        EXPECT_EQ(io::read_file(out), expected) << name;
+    }
+}
+
+TEST(AsvSolve, AnUnknownInstructionSetIsWrongUsage) {
+    const TemporaryFolder folder;
+    const std::string out = folder / "out.txt";
+    const Outcome run = run_program("asv-solve", {testcase_file("3ASV.txt"), out},
+                                    {.environment = {"ASV_SIMD=MMX"}});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_NE(run.err.find("ASV_SIMD: no instruction set 'MMX'"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find(geometry::simd::instruction_sets().back()), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(out));
+}
 
 TEST(SolveProgram, ListsEveryPlannerWithItsSettingsAndSource) {
     const Outcome outcome = run_program("asv-solve", {"--list-planners"});

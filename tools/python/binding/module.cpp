@@ -1,9 +1,12 @@
 #include "tools/python/binding/module.hpp"
 
+#include "geometry/simd/instruction_set.hpp"
+
 /// The compiled part of the Python package asv. Whatever reads better in Python is in
 /// tools/python/asv.
 PYBIND11_MODULE(_core, module) {
     module.doc() = "The compiled part of the package asv: use what asv itself exports.";
+    asv::geometry::simd::use_instruction_set_of_environment();  // else an ImportError
     module.attr("__version__") = ASV_VERSION;
     asv::python::bind_errors();
     asv::python::bind_problem(module);

@@ -7,7 +7,7 @@
 #include "core/chain/batch/chain_batch.hpp"
 #include "tests/kit/batch/batch_worlds.hpp"
 #include "tests/kit/batch/hard_chains.hpp"
-#include "tests/kit/geometry/simd_targets.hpp"
+#include "tests/kit/geometry/forced_target.hpp"
 #include "tests/kit/scaled.hpp"
 
 /// Which stretches of motions are certified, eight at a time, on every instruction set.
@@ -24,7 +24,6 @@ using test::Adversary;
 using test::chain_limits;
 using test::ForcedTarget;
 using test::Random;
-using test::simd_targets;
 using Row = test::HeadingRow;
 
 /// A motion from one chain towards another, long or short.
@@ -85,12 +84,12 @@ void expect_sound(std::size_t points, std::size_t boxes, bool centred, Tally& ta
     for (std::size_t k = 0; centred && k + 1 < points; ++k) {
         limits.anchor_lever.push_back(static_cast<double>(k + 1) / static_cast<double>(points) - 1);
     }
-    for (const std::int64_t target : simd_targets()) {
+    for (const std::string& target : geometry::simd::instruction_sets()) {
         const ForcedTarget forced(target);
         ChainBatch batch(points - 1, limits, index);
         for (std::size_t i = 0; i < test::scaled(100); ++i) {
             SCOPED_TRACE(::testing::Message()
-                         << "seed " << seed << ", " << hwy::TargetName(target) << ", motion " << i);
+                         << "seed " << seed << ", " << target << ", motion " << i);
             expect_sound(batch, random_motion(points, random, limits), tally);
             if (::testing::Test::HasFailure()) return;
         }

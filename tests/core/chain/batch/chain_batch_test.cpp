@@ -10,7 +10,7 @@
 #include "tests/kit/batch/batch_worlds.hpp"
 #include "tests/kit/batch/hard_chains.hpp"
 #include "tests/kit/geometry/exact_oracle.hpp"
-#include "tests/kit/geometry/simd_targets.hpp"
+#include "tests/kit/geometry/forced_target.hpp"
 #include "tests/kit/scaled.hpp"
 
 /// Which chains are valid, eight at a time, on every instruction set.
@@ -27,7 +27,6 @@ using test::Adversary;
 using test::chain_limits;
 using test::ForcedTarget;
 using test::Random;
-using test::simd_targets;
 using Row = test::HeadingRow;
 
 bool valid_by_oracle(const Row& row, const ChainLimits& limits, std::span<const Box> boxes) {
@@ -65,13 +64,13 @@ TEST(ChainBatch, ValidAsByTheOracleWithTheSameBitsOnEveryTarget) {
             ChainBatch batch(points - 1, limits, index);
             for (std::size_t i = 0; i < chains.size(); i += lanes) {
                 const auto eight = std::span(chains).subspan(i, lanes);
-                for (const std::int64_t target : simd_targets()) {
+                for (const std::string& target : geometry::simd::instruction_sets()) {
                     const ForcedTarget forced(target);
                     const LaneMask mask = batch.valid(packed(eight));
                     for (std::size_t lane = 0; lane < lanes; ++lane) {
                         SCOPED_TRACE(::testing::Message()
-                                     << "seed " << seed << ", " << hwy::TargetName(target) << ", n "
-                                     << points << ", m " << boxes << ", chain " << i + lane);
+                                     << "seed " << seed << ", " << target << ", n " << points
+                                     << ", m " << boxes << ", chain " << i + lane);
                         const bool expected = valid_by_oracle(eight[lane], limits, index.boxes());
                         ASSERT_EQ(mask >> lane & 1, expected);
                         valid_count += expected;
@@ -112,10 +111,10 @@ TEST(ChainBatch, AmongManyBoxesAsByLookingAtAllOfThem) {
             expected |= static_cast<LaneMask>(valid) << lane;
             valid_count += valid;
         }
-        for (const std::int64_t target : simd_targets()) {
+        for (const std::string& target : geometry::simd::instruction_sets()) {
             const ForcedTarget forced(target);
             ASSERT_EQ(batch.valid(packed(eight)), expected)
-                << "seed " << seed << ", " << hwy::TargetName(target) << ", chain " << i;
+                << "seed " << seed << ", " << target << ", chain " << i;
         }
     }
     EXPECT_GT(valid_count, chains.size() / 10);

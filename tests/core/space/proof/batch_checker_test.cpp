@@ -14,7 +14,7 @@
 #include "core/space/straight_space.hpp"
 #include "tests/kit/chains/configurations.hpp"
 #include "tests/kit/chains/problems.hpp"
-#include "tests/kit/geometry/simd_targets.hpp"
+#include "tests/kit/geometry/forced_target.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
 
@@ -26,7 +26,6 @@ using test::for_seeds;
 using test::ForcedTarget;
 using test::Row;
 using test::scaled;
-using test::simd_targets;
 using Verdict = BatchChecker::Verdict;
 
 struct Clutter {
@@ -68,9 +67,9 @@ TEST(BatchChecker, SettlesMotionsAsTheCheckerDoesOnEveryTarget) {
                     ASSERT_EQ(verdict == Verdict::valid, checker.valid(from, to));
                 }
                 ++count[static_cast<std::size_t>(verdict)];
-                for (const std::int64_t target : simd_targets()) {
+                for (const std::string& target : geometry::simd::instruction_sets()) {
                     const ForcedTarget forced(target);
-                    ASSERT_EQ(batch.motion(from, to), verdict) << hwy::TargetName(target);
+                    ASSERT_EQ(batch.motion(from, to), verdict) << target;
                 }
             }
         }
@@ -108,8 +107,8 @@ TEST(BatchChecker, OneSeedGivesOnePathAndOneCountOnEveryTarget) {
         options.optimize = 0;
         const SolveResult expected = solve(problem, options);
         ASSERT_EQ(expected.status, SolveStatus::solved);
-        for (const std::int64_t target : simd_targets()) {
-            SCOPED_TRACE(std::string(name) + " on " + hwy::TargetName(target));
+        for (const std::string& target : geometry::simd::instruction_sets()) {
+            SCOPED_TRACE(std::string(name) + " on " + target);
             const ForcedTarget forced(target);
             const SolveResult result = solve(problem, options);
             ASSERT_EQ(result.status, SolveStatus::solved);
