@@ -28,10 +28,12 @@ geometry::FreePlane make_asv_plane(const Problem& given, Reading reading) {
     const double e = requirements.tolerance;
     const double jump = reading == Reading::literal ? requirements.max_step + e : e;
     const double shrink = e + jump / 2;
-    ShrunkObstacles obstacles = shrink_obstacles(problem, shrink);
     const bool collides = problem.asv_count() > 1 || problem.body_kind() == BodyKind::point;
-    if (!collides) return {{}, obstacles.bounds};
-    for (const Seam& seam : find_seams(problem, shrink)) {
+    if (!collides) return {{}, widened_bounds(requirements)};
+    // The seams first: finding them takes most of the memory, and is done before there is more.
+    const std::vector<Seam> seams = find_seams(problem, shrink);
+    ShrunkObstacles obstacles = shrink_obstacles(problem, shrink);
+    for (const Seam& seam : seams) {
         if (reading == Reading::literal && !is_impassable(seam, problem)) continue;
         if (body_meets(problem.start, seam.gap) || body_meets(problem.goal, seam.gap)) continue;
         obstacles.boxes.push_back(seam.gap);

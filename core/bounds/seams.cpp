@@ -120,10 +120,15 @@ void add_vertical_seams(const std::vector<Wall>& walls, const Requirements& requ
 
 }  // namespace
 
+Box widened_bounds(const Requirements& requirements) {
+    return grown(requirements.bounds, requirements.tolerance + rounding_slack(requirements));
+}
+
 ShrunkObstacles shrink_obstacles(const Problem& problem, double shrink) {
     const double slack = rounding_slack(problem.requirements);
     ShrunkObstacles shrunk;
-    shrunk.bounds = grown(problem.requirements.bounds, problem.requirements.tolerance + slack);
+    shrunk.bounds = widened_bounds(problem.requirements);
+    shrunk.boxes.reserve(problem.obstacles.size());
     for (const Box& box : problem.obstacles) {
         const Box smaller = grown(box, -(shrink + slack));
         if (!vanishes(smaller)) shrunk.boxes.push_back(smaller);
@@ -135,7 +140,8 @@ std::vector<Seam> find_seams(const Problem& problem, double shrink) {
     const Requirements& requirements = problem.requirements;
     const double margin = shrink + rounding_slack(requirements);
     const Box& bounds = requirements.bounds;
-    std::vector<Wall> walls = outside(bounds, shrink_obstacles(problem, shrink).bounds);
+    std::vector<Wall> walls = outside(bounds, widened_bounds(requirements));
+    walls.reserve(walls.size() + problem.obstacles.size());
     for (const Box& box : problem.obstacles) {
         const Box smaller = grown(box, -margin);
         if (!vanishes(smaller) && overlap(smaller, bounds)) walls.push_back({box, smaller});

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double title_size = 22;
 constexpr double png_pixels_per_point = 2;
+constexpr double thumbnail_side = 400;
 
 /// The words, or as much of them as fits with an ellipsis behind.
 std::string fitted(Canvas& canvas, std::string words, const TextStyle& style, double width) {
@@ -58,6 +59,14 @@ std::string draw_picture(const Exhibit& exhibit, PictureFormat format, Theme the
     paint_header(canvas, exhibit, sentences, page, colours);
     paint_field(canvas, scene, page, colours);
     paint_strip(canvas, exhibit, scene, page, colours);
+    return canvas.finish(exhibit.name, facts(exhibit) + "; " + verdict(exhibit));
+}
+
+std::string draw_thumbnail(const Exhibit& exhibit, Theme theme) {
+    const Scene scene = make_scene(exhibit);
+    const Page page = Page::of_field(scene.field, thumbnail_side);
+    Canvas canvas(PictureFormat::svg, page.width, page.height, png_pixels_per_point);
+    paint_bare_field(canvas, scene, page, palette(theme));
     return canvas.finish(exhibit.name, facts(exhibit) + "; " + verdict(exhibit));
 }
 

@@ -13,4 +13,8 @@ namespace asv::io {
 /// high as its text needs. Throws std::runtime_error when cairo fails.
 std::string draw_picture(const Exhibit& exhibit, PictureFormat format, Theme theme);
 
+/// An svg of the field alone for a list of many: what draw_picture shows in it without grid,
+/// numbers and words, its longer side 400 points. Throws std::runtime_error when cairo fails.
+std::string draw_thumbnail(const Exhibit& exhibit, Theme theme);
+
 }  // namespace asv::io

@@ -77,14 +77,14 @@ BodyWords words_for(core::BodyKind body) {
     switch (body) {
         case core::BodyKind::chain:
             return {"ASV 1 has an eye", "chain", "path of an ASV", "broom", "ASV 1",
-                    "path of ASV 1"};
+                    "path of ASV 1",    "ASV"};
         case core::BodyKind::arm:
-            return {"the base has an eye", "arm", "path of a joint or the tip", "link", "tip",
-                    "path of the tip"};
+            return {"the base has an eye", "arm",  "path of a joint or the tip", "link", "tip",
+                    "path of the tip",     "joint"};
         case core::BodyKind::point:
             break;
     }
-    return {"", "point", "path of the point", "", "point", "path of the point"};
+    return {"", "point", "path of the point", "", "point", "path of the point", ""};
 }
 
 std::string grouped(std::size_t number) {

@@ -56,6 +56,7 @@ struct BodyWords {
     std::string link;       ///< what can collide, empty for a point
     std::string seen;       ///< the point whose places a tree shows
     std::string seen_path;  ///< its way
+    std::string counted;    ///< what its points are counted as, empty for a point
 };
 BodyWords words_for(core::BodyKind body);
 

@@ -23,6 +23,10 @@ const scaleOf = () => (camera.zoom * camera.size) / (fieldSide() * 1.04);
 const toPageX = (x) => camera.size / 2 + (x - camera.x) * scaleOf();
 const toPageY = (y) => camera.size / 2 - (y - camera.y) * scaleOf();
 
+/** The point [x, y] of the plane under a point of the page. */
+const toPlane = (pageX, pageY) =>
+  [camera.x + (pageX - camera.size / 2) / scaleOf(), camera.y + (camera.size / 2 - pageY) / scaleOf()];
+
 function moveCamera(zoom, x, y) {
   camera.zoom = clamp(zoom, 1, mostZoom);
   const [centreX, centreY] = fieldCentre();
@@ -51,13 +55,15 @@ const zoomCentre = (factor) => zoomAt(factor, camera.size / 2, camera.size / 2);
 const pan = (pixelsX, pixelsY) =>
   moveCamera(camera.zoom, camera.x - pixelsX / scaleOf(), camera.y + pixelsY / scaleOf());
 
+/** Where a pointer is on the stage, in pixels from its upper left corner. */
+function placeOf(event) {
+  const box = stage.getBoundingClientRect();
+  return [event.clientX - box.left - stage.clientLeft, event.clientY - box.top - stage.clientTop];
+}
+
 /** One pointer pans, two pinch. */
 function watchPointers() {
   const pointers = new Map();
-  const place = (event) => {
-    const box = stage.getBoundingClientRect();
-    return [event.clientX - box.left, event.clientY - box.top];
-  };
   const spread = () => {
     const [a, b] = [...pointers.values()];
     return { x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, gap: Math.hypot(a[0] - b[0], a[1] - b[1]) };
@@ -65,14 +71,14 @@ function watchPointers() {
   stage.addEventListener("pointerdown", (event) => {
     if (event.target.closest("button")) return;
     stage.setPointerCapture(event.pointerId);
-    pointers.set(event.pointerId, place(event));
+    pointers.set(event.pointerId, placeOf(event));
     stage.classList.add("held");
   });
   stage.addEventListener("pointermove", (event) => {
     if (!pointers.has(event.pointerId)) return;
     const before = pointers.size === 2 ? spread() : null;
     const [oldX, oldY] = pointers.get(event.pointerId);
-    const [x, y] = place(event);
+    const [x, y] = placeOf(event);
     pointers.set(event.pointerId, [x, y]);
     if (before) {
       const now = spread();
@@ -90,18 +96,26 @@ function watchPointers() {
   }
 }
 
+/** The coordinates under the pointer, with as many digits as tell one pixel from the next. */
+function writeCoordinates(event) {
+  const digits = clamp(Math.ceil(Math.log10(scaleOf())), 0, 12);
+  const [x, y] = toPlane(...placeOf(event)).map((value) => value.toFixed(digits));
+  const note = document.getElementById("coordinates");
+  note.textContent = `x ${x}, y ${y}`;
+  note.hidden = false;
+}
+
 function watchStage() {
   watchPointers();
+  stage.addEventListener("pointermove", writeCoordinates);
+  stage.addEventListener("pointerleave", () => { document.getElementById("coordinates").hidden = true; });
   stage.addEventListener("wheel", (event) => {
     event.preventDefault();
-    const box = stage.getBoundingClientRect();
-    zoomAt(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0015)),
-           event.clientX - box.left, event.clientY - box.top);
+    zoomAt(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0015)), ...placeOf(event));
+    writeCoordinates(event);
   }, { passive: false });
   stage.addEventListener("dblclick", (event) => {
-    if (event.target.closest("button")) return;
-    const box = stage.getBoundingClientRect();
-    zoomAt(2, event.clientX - box.left, event.clientY - box.top);
+    if (!event.target.closest("button")) zoomAt(2, ...placeOf(event));
   });
   document.getElementById("zoom-in").addEventListener("click", () => zoomCentre(1.5));
   document.getElementById("zoom-out").addEventListener("click", () => zoomCentre(1 / 1.5));

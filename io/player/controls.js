@@ -2,15 +2,16 @@
 
 const by = (id) => document.getElementById(id);
 
-const last = Math.max(story.states - 1, 0);
+const last = story.lastStep;
 const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
 
-/** position is a step with its fraction; direction is 1, -1, or 0 while paused. */
+/** position is a step of the path with its fraction; direction is 1, -1, or 0 while paused. */
 const playing = { position: 0, direction: 0, speed: 1, before: 0 };
 
 const plots = makePlots();
 
-const now = () => Math.round(playing.position);
+/** The index of the state that is shown. */
+const now = () => stateNear(Math.round(playing.position));
 
 const grouped = (number) => number.toLocaleString("en-US");
 
@@ -33,17 +34,22 @@ function put(id, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
+/** "broom 3, obstacle 2": which two are nearest to each other, in the words of the body. */
+function nearestPair(state) {
+  const link = story.words.link === "" ? "" : `${story.words.link} ${story.clearanceBroom[state] + 1}, `;
+  return `${link}obstacle ${story.clearanceObstacle[state] + 1}`;
+}
+
 function writeReadouts(state) {
-  put("out-step", grouped(state));
+  put("out-step", grouped(story.steps[state]));
   put("out-cost", story.cost[state].toFixed(4));
   const clearance = story.clearance[state];
   put("out-clearance", Number.isFinite(clearance) ? clearance.toFixed(6) : "none");
-  put("at-clearance", Number.isFinite(clearance)
-    ? `${story.body === "chain" ? "broom" : "link"} ${story.clearanceBroom[state] + 1}, obstacle ${story.clearanceObstacle[state] + 1}` : "no obstacles");
+  put("at-clearance", Number.isFinite(clearance) ? `${nearestPair(state)}, minimum 0` : "no obstacles");
   if (story.body === "chain") put("out-area", story.area[state].toFixed(6));
   const turn = story.turn[state];
   put("out-turn", Number.isFinite(turn) ? `${((turn * 180) / Math.PI).toFixed(1)}\u00b0` : "none");
-  put("at-turn", Number.isFinite(turn) ? `at ASV ${story.turnAsv[state] + 1}` : "");
+  put("at-turn", Number.isFinite(turn) ? `at ASV ${story.turnAsv[state] + 1}, maximum 180\u00b0` : "");
   const violations = story.violated.get(state) || [];
   const failed = (...checks) => violations.some((v) => checks.includes(v.check));
   by("out-clearance").classList.toggle("bad", failed("collisions"));
@@ -58,6 +64,9 @@ function writeReadouts(state) {
 
 function writeTotals() {
   put("of-steps", `of ${grouped(last)}`);
+  by("held").hidden = story.states === last + 1;
+  put("held", `This page holds ${grouped(story.states)} of ${grouped(last + 1)} states: of each short stretch of the path the ` +
+    "first one and those with the least clearance, the least area, the tightest turn and a violation.");
   put("of-cost", `of ${story.totalCost.toFixed(4)}`);
   put("of-area", `minimum ${story.minimumArea.toFixed(6)}`);
   // Only ASVs have requirements on their shape.
@@ -72,14 +81,14 @@ function show({ ground = false } = {}) {
   if (story.states === 0) return;
   for (const plot of plots) plot.paint(state);
   writeReadouts(state);
-  by("scrub").value = state;
-  by("scrub").setAttribute("aria-valuetext", `step ${grouped(state)} of ${grouped(last)}`);
+  by("scrub").value = story.steps[state];
+  by("scrub").setAttribute("aria-valuetext", `step ${grouped(story.steps[state])} of ${grouped(last)}`);
 }
 
 /** For those who hear the page; never while playing, or it would not stop talking. */
 function announce() {
   const state = now();
-  put("announce", [`Step ${grouped(state)} of ${grouped(last)}`, `cost ${story.cost[state].toFixed(4)}`,
+  put("announce", [`Step ${grouped(story.steps[state])} of ${grouped(last)}`, `cost ${story.cost[state].toFixed(4)}`,
     ...describeViolations(state)].join(", "));
 }
 
@@ -98,8 +107,8 @@ function pause() {
 
 function play(direction) {
   if (last === 0) return;
-  if (direction > 0 && now() >= last) playing.position = 0;
-  if (direction < 0 && now() <= 0) return;
+  if (direction > 0 && playing.position >= last) playing.position = 0;
+  if (direction < 0 && playing.position <= 0) return;
   playing.direction = direction;
   playing.before = performance.now();
   writePlaying();
@@ -120,20 +129,30 @@ function advance(time) {
 
 const toggle = (direction) => (playing.direction === direction ? pause() : play(direction));
 
-/** Shows one step and stays there. */
-function goTo(state) {
+/** Shows one state, by its index, and stays there. */
+function goToState(state) {
   if (story.states === 0) return;
-  playing.position = clamp(state, 0, last);
+  playing.position = story.steps[clamp(state, 0, story.states - 1)];
   show();
   pause();
+}
+
+/** Shows one step, or the nearest to it that the page holds. */
+const goTo = (step) => goToState(stateNear(clamp(step, 0, last)));
+
+/** The bar has all steps: one move of it leads to another state, also where steps are left out. */
+function followBar() {
+  const step = Number(by("scrub").value);
+  const state = stateNear(step);
+  goToState(state === now() ? state + Math.sign(step - story.steps[state]) : state);
 }
 
 const commands = {
   "to-start": () => goTo(0),
   "rewind": () => toggle(-1),
-  "step-back": () => goTo(now() - 1),
+  "step-back": () => goToState(now() - 1),
   "play": () => toggle(1),
-  "step-on": () => goTo(now() + 1),
+  "step-on": () => goToState(now() + 1),
   "to-end": () => goTo(last),
 };
 
@@ -165,7 +184,7 @@ function watchControls() {
       if (event.detail > 0) stage.focus({ preventScroll: true });
     });
   }
-  by("scrub").addEventListener("input", () => goTo(Number(by("scrub").value)));
+  by("scrub").addEventListener("input", followBar);
   by("speed").addEventListener("change", () => { playing.speed = Number(by("speed").value); });
   for (const name of ["trails", "trees", "numbers"]) {
     by(`show-${name}`).addEventListener("change", (event) => {
@@ -178,16 +197,19 @@ function watchControls() {
 
 function writeAlarm() {
   by("alarm").hidden = story.complaints.length === 0;
-  for (const { check, sentence, state } of story.complaints) {
+  const listed = story.violations.length;
+  by("unlisted").hidden = listed === story.violationCount;
+  put("unlisted", `Marked are ${grouped(listed)} of ${grouped(story.violationCount)} violations.`);
+  for (const { check, sentence, step } of story.complaints) {
     const item = document.createElement("li");
-    const place = story.states === 0 || state === null ? item : document.createElement("button");
+    const place = story.states === 0 || step === null ? item : document.createElement("button");
     const name = document.createElement("b");
     name.textContent = `\u2717 ${check}: `;
     place.append(name, sentence);
     if (place !== item) {
       place.type = "button";
-      place.append(` (step ${grouped(state)})`);
-      place.addEventListener("click", () => goTo(state));
+      place.append(` (step ${grouped(step)})`);
+      place.addEventListener("click", () => goTo(step));
       item.append(place);
     }
     by("complaints").append(item);
@@ -201,6 +223,7 @@ function writePage() {
   by("trees-toggle").hidden = story.trees.length === 0;
   by("scrub").max = last;
   writeAlarm();
+  writeLegend();
   fillSpeeds();
   if (story.states === 0) {
     const useless = document.querySelectorAll("#playback, #trails-toggle, #readouts, #plots, .when-solved");

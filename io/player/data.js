@@ -52,21 +52,36 @@ function unpackTrees(packed) {
   }));
 }
 
-/** Violations of each state: a map from the state to a list of them. */
-function byState(violations) {
+/** The first index of a sorted array whose value is greater than the given one. */
+function firstAbove(sorted, value) {
+  let [low, high] = [0, sorted.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (sorted[middle] > value) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
+
+/** Violations of each state: a map from the index of a state to a list of them. */
+function byState(violations, steps) {
   const map = new Map();
   for (const violation of violations) {
-    if (!map.has(violation.state)) map.set(violation.state, []);
-    map.get(violation.state).push(violation);
+    const state = firstAbove(steps, violation.step) - 1;
+    if (!map.has(state)) map.set(state, []);
+    map.get(state).push(violation);
   }
   return map;
 }
 
 function unpack(packed) {
   const columns = 2 * packed.asvCount;
+  // A long path has only some of its states here: this many, and the step that each of them is.
+  const steps = packed.steps === "" ? Int32Array.from({ length: packed.states }, (_, i) => i) : integersOf(packed.steps);
   return {
     ...packed,
-    obstacles: doublesOf(packed.obstacles),
+    steps,
+    obstacles: doublesOf(document.getElementById("obstacles").textContent),
     positions: positionsOf(packed.positions, packed.states, columns, packed.unit),
     cost: doublesOf(packed.cost),
     clearance: doublesOf(packed.clearance),
@@ -76,7 +91,7 @@ function unpack(packed) {
     turn: doublesOf(packed.turn),
     turnAsv: integersOf(packed.turnAsv),
     trees: unpackTrees(packed.trees),
-    violated: byState(packed.violations),
+    violated: byState(packed.violations, steps),
   };
 }
 
@@ -84,6 +99,12 @@ const story = unpack(JSON.parse(document.getElementById("data").textContent));
 
 /** The box of an obstacle: [low x, low y, high x, high y]. */
 const obstacleBox = (i) => story.obstacles.subarray(4 * i, 4 * i + 4);
+
+/** The index of the state that is shown for a step: the nearest one that the page holds. */
+function stateNear(step) {
+  const after = clamp(firstAbove(story.steps, step), 1, Math.max(story.states - 1, 1));
+  return story.steps[after] - step < step - story.steps[after - 1] ? after : after - 1;
+}
 
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 

@@ -98,14 +98,15 @@ function paintGrid(context) {
 function paintObstacles(context) {
   context.fillStyle = colours.obstacle;
   context.strokeStyle = colours.muted;
-  context.lineWidth = 0.7;
+  context.lineWidth = 1.4;
   context.beginPath();
   for (let i = 0; 4 * i < story.obstacles.length; ++i) {
     const [lowX, lowY, highX, highY] = obstacleBox(i);
     context.rect(toPageX(lowX), toPageY(highY), (highX - lowX) * scaleOf(), (highY - lowY) * scaleOf());
   }
-  context.fill();
+  // The filling hides the lines between boxes that touch: their union is outlined.
   context.stroke();
+  context.fill();
 }
 
 function paintObstacleNumbers(context) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "core/bounds/lower_bound.hpp"
 #include "core/validation/validate.hpp"
@@ -14,6 +15,7 @@
 #include "io/solution/solution_file.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/markup.hpp"
+#include "io/text/natural_order.hpp"
 #include "io/text/parse_error.hpp"
 
 namespace asv::io {
@@ -27,7 +29,8 @@ constexpr std::string_view trees_ending = ".trees.json";
 constexpr std::string_view stats_ending = ".stats.json";
 
 /// What a gallery has of each exhibit.
-constexpr std::array<std::string_view, 3> endings = {".light.svg", ".dark.svg", ".html"};
+constexpr std::array<std::string_view, 5> endings = {".light.svg", ".dark.svg", ".light.small.svg",
+                                                     ".dark.small.svg", ".html"};
 
 /// Throws ReadError when a map is about to be overwritten.
 void require_apart(std::span<const fs::path> maps, std::span<const fs::path> outputs) {
@@ -54,7 +57,6 @@ std::vector<fs::path> problems_in(const fs::path& folder) {
             files.push_back(entry.path());
         }
     }
-    std::sort(files.begin(), files.end());
     return files;
 }
 
@@ -87,17 +89,27 @@ std::string address(std::string_view name) {
     return result;
 }
 
+/// A link to the picture in one of the colours.
+std::string picture_link(const std::string& base, const std::string& name, const char* colours) {
+    return "<a href=\"" + base + "." + colours + ".svg\" aria-label=\"Picture of " + name + ", " +
+           colours + "\">" + colours + "</a>";
+}
+
 std::string card(const Exhibit& exhibit, const std::string& file) {
     const std::string name = escape_markup(exhibit.name);
-    const std::string words = escape_markup(facts(exhibit));
     const bool good = exhibit.report.valid();
     const std::string base = address(file);
-    return "<li>\n<h2><a href=\"" + base + ".html\">" + name + "</a></h2>\n<a href=\"" + base +
-           ".html\" tabindex=\"-1\" aria-hidden=\"true\"><picture>\n" +
-           "<source media=\"(prefers-color-scheme: dark)\" srcset=\"" + base + ".dark.svg\">\n" +
-           "<img src=\"" + base + ".light.svg\" alt=\"\" loading=\"lazy\"></picture></a>\n<p>" +
-           words + "</p>\n<p class=\"verdict" + (good ? "" : " bad") + "\">" +
-           (good ? "✓ " : "✗ ") + escape_markup(verdict(exhibit)) + "</p>\n</li>\n";
+    std::string text = "<li>\n<h2><a href=\"" + base + ".html\">" + name + "</a></h2>\n";
+    text += "<a href=\"" + base + ".html\" tabindex=\"-1\" aria-hidden=\"true\"><picture>\n" +
+            "<source media=\"(prefers-color-scheme: dark)\" srcset=\"" + base +
+            ".dark.small.svg\">\n<img src=\"" + base +
+            ".light.small.svg\" alt=\"\" loading=\"lazy\"></picture></a>\n";
+    text += "<p>" + escape_markup(facts(exhibit)) + "</p>\n";
+    text += "<p class=\"verdict" + std::string(good ? "" : " bad") + "\">" + (good ? "✓ " : "✗ ") +
+            escape_markup(verdict(exhibit)) + "</p>\n";
+    text += "<p>Picture: " + picture_link(base, name, "light") + ", " +
+            picture_link(base, name, "dark") + "</p>\n</li>\n";
+    return text;
 }
 
 /// A page may be shown to people who need not know where its files lay.
@@ -171,6 +183,9 @@ std::vector<ExhibitFiles> find_exhibits(std::span<const fs::path> cases,
             result.push_back(with_companions(problem, solutions.value_or(problem.parent_path())));
         }
     }
+    std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
+        return naturally_before(a.problem.native(), b.problem.native());
+    });
     return result;
 }
 
@@ -218,10 +233,13 @@ GalleryReport write_gallery(const fs::path& folder, std::span<const ExhibitFiles
             report.warnings.insert(report.warnings.end(), notes.warnings.begin(),
                                    notes.warnings.end());
             require_apart(notes.maps, outputs);
-            write_file(folder / (name + ".light.svg"),
-                       draw_picture(exhibit, PictureFormat::svg, Theme::light));
-            write_file(folder / (name + ".dark.svg"),
-                       draw_picture(exhibit, PictureFormat::svg, Theme::dark));
+            for (const auto& [theme, colours] :
+                 {std::pair{Theme::light, ".light"}, std::pair{Theme::dark, ".dark"}}) {
+                const std::string base = name + colours;
+                write_file(folder / (base + ".svg"),
+                           draw_picture(exhibit, PictureFormat::svg, theme));
+                write_file(folder / (base + ".small.svg"), draw_thumbnail(exhibit, theme));
+            }
             write_file(folder / (name + ".html"), make_player(exhibit));
             cards += card(exhibit, name);
             ++report.shown;

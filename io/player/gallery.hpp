@@ -31,7 +31,8 @@ Exhibit read_exhibit(const ExhibitFiles& files, ReadingNotes& notes,
                      const ReadOptions& options = {});
 
 /// The files for each case: a problem file, or a folder, which stands for the .txt and .json
-/// files in it in the order of their names, those of solutions, trees and statistics apart. For a
+/// files in it, those of solutions, trees and statistics apart; all in the natural order of their
+/// paths, see naturally_before(). For a
 /// problem NAME.txt, NAME.solution.txt, NAME.trees.json and NAME.stats.json are looked for in the
 /// folder of solutions or, where none is given, beside the problem. Throws ReadError for a case
 /// that does not exist.
@@ -58,8 +59,9 @@ std::vector<std::string> gallery_names(std::span<const ExhibitFiles> exhibits);
 std::vector<std::filesystem::path> gallery_files(const std::filesystem::path& folder,
                                                  std::span<const ExhibitFiles> exhibits);
 
-/// Writes, for each problem, NAME.light.svg, NAME.dark.svg and the player NAME.html into a folder,
-/// which is made where it does not exist, and index.html with all of them. A case that cannot be
+/// Writes, for each problem, the pictures NAME.light.svg and NAME.dark.svg, their fields alone as
+/// NAME.light.small.svg and NAME.dark.small.svg, and the player NAME.html into a folder, which is
+/// made where it does not exist, and index.html with all of them. A case that cannot be
 /// read, or whose map is a file of the gallery, has its reason on the page. Throws WriteError.
 GalleryReport write_gallery(const std::filesystem::path& folder,
                             std::span<const ExhibitFiles> exhibits,

@@ -26,17 +26,6 @@ function thinWays() {
   });
 }
 
-/** The first index of a sorted array whose value is greater than the given one. */
-function firstAbove(sorted, value) {
-  let [low, high] = [0, sorted.length];
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (sorted[middle] > value) high = middle;
-    else low = middle + 1;
-  }
-  return low;
-}
-
 /** The ways of all ASVs from one state to another, coloured from start to goal in pieces. */
 function strokeWay(context, first, last) {
   if (last <= first) return;
@@ -150,7 +139,14 @@ function paintClearance(context, state) {
   context.stroke();
 }
 
-function paintAsvNumbers(context, points) {
+/** Numbers the points of the body; which kind of point it counts, the first label says. */
+function labelOf(point, count) {
+  if (story.body === "point") return "point";
+  if (story.body === "arm" && point === count - 1) return "tip";
+  return point === 0 ? `${story.words.counted} 1` : String(point + 1);
+}
+
+function paintPointLabels(context, points) {
   context.font = "600 12px system-ui, sans-serif";
   context.textAlign = "left";
   context.textBaseline = "alphabetic";
@@ -159,8 +155,9 @@ function paintAsvNumbers(context, points) {
   context.fillStyle = colours.ink;
   for (let i = 0; i < points.length; i += 2) {
     const [x, y] = [toPageX(points[i]) + 7, toPageY(points[i + 1]) - 7];
-    context.strokeText(i / 2 + 1, x, y);
-    context.fillText(i / 2 + 1, x, y);
+    const label = labelOf(i / 2, points.length / 2);
+    context.strokeText(label, x, y);
+    context.fillText(label, x, y);
   }
 }
 
@@ -173,5 +170,5 @@ function paintNow(state) {
   paintChain(context, points, colourAlong(shareOf(state)), 3.5, 5);
   paintClearance(context, state);
   for (const violation of story.violated.get(state) || []) paintViolation(context, state, violation);
-  if (shown.numbers) paintAsvNumbers(context, points);
+  if (shown.numbers) paintPointLabels(context, points);
 }

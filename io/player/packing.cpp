@@ -59,7 +59,7 @@ std::string bytes_of(std::string_view text) {
 
 std::string base64(std::string_view bytes) {
     std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
+    text.reserve(base64_size(bytes.size()));
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         const auto byte = [&](std::size_t k) -> std::uint32_t {
             return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U;

@@ -13,6 +13,11 @@ namespace asv::io {
 /// RFC 4648, section 4, with padding.
 std::string base64(std::string_view bytes);
 
+/// How long the base64 of so many bytes is.
+constexpr std::size_t base64_size(std::size_t bytes) {
+    return (bytes + 2) / 3 * 4;
+}
+
 /// Base64 of the numbers' bytes, the lowest byte of each first, whatever the machine.
 std::string pack_doubles(std::span<const double> numbers);
 std::string pack_floats(std::span<const float> numbers);

@@ -7,6 +7,7 @@
 
 #include "core/model/planning_window.hpp"
 #include "io/player/assets.hpp"
+#include "io/player/held_states.hpp"
 #include "io/player/packing.hpp"
 #include "io/text/markup.hpp"
 
@@ -27,38 +28,47 @@ std::vector<double> flat(std::span<const Point> points) {
     return numbers;
 }
 
-std::string pack(const std::vector<Box>& boxes) {
+/// Appends the sides of the boxes as pack_doubles has them. There may be a million: part by part,
+/// no second copy of all is ever in memory.
+void append_packed(std::string& text, std::span<const Box> boxes) {
+    // The bytes of so many boxes are a multiple of three, which base64 needs no padding for.
+    constexpr std::size_t boxes_at_a_time = 3 * 256;
     std::vector<double> numbers;
-    numbers.reserve(4 * boxes.size());
-    for (const Box& box : boxes) {
-        numbers.insert(numbers.end(), {box.low.x, box.low.y, box.high.x, box.high.y});
+    while (!boxes.empty()) {
+        const std::size_t count = std::min(boxes.size(), boxes_at_a_time);
+        numbers.clear();
+        for (const Box& box : boxes.first(count))
+            numbers.insert(numbers.end(), {box.low.x, box.low.y, box.high.x, box.high.y});
+        text += pack_doubles(numbers);
+        boxes = boxes.subspan(count);
     }
-    return pack_doubles(numbers);
 }
 
-/// One column of the measures, as doubles or as 0-based indices.
-template <class Value>
-auto column(const Exhibit& exhibit, const Value& value) {
-    std::vector<decltype(value(exhibit.measures.front()))> numbers;
-    numbers.reserve(exhibit.measures.size());
-    for (const StateMeasures& measures : exhibit.measures) numbers.push_back(value(measures));
-    return numbers;
+/// The states that the page holds, as one table of their coordinates.
+PackedTable packed_positions(const Exhibit& exhibit, std::span<const std::size_t> held) {
+    if (held.empty()) return {};
+    std::vector<double> numbers;
+    numbers.reserve(2 * held.size() * exhibit.problem.asv_count());
+    for (const std::size_t state : held) {
+        for (const Point& point : exhibit.solution->path.state(state))
+            numbers.insert(numbers.end(), {point.x, point.y});
+    }
+    return pack_table(numbers, 2 * exhibit.problem.asv_count());
 }
 
-void add_states(ordered_json& data, const Exhibit& exhibit) {
-    const std::size_t columns = 2 * exhibit.problem.asv_count();
-    const PackedTable positions = exhibit.solution
-                                      ? pack_table(flat(exhibit.solution->path.points()), columns)
-                                      : PackedTable{};
-    data["states"] = exhibit.measures.size();
-    data["unit"] = positions.unit;
-    data["positions"] = positions.text;
+void add_measures(ordered_json& data, const Exhibit& exhibit, std::span<const std::size_t> held) {
+    const auto column = [&](const auto& value) {
+        std::vector<decltype(value(exhibit.measures.front()))> numbers;
+        numbers.reserve(held.size());
+        for (const std::size_t state : held) numbers.push_back(value(exhibit.measures[state]));
+        return numbers;
+    };
     const auto doubles = [&](const char* key, const auto& value) {
-        data[key] = pack_doubles(column(exhibit, value));
+        data[key] = pack_doubles(column(value));
     };
     const auto integers = [&](const char* key, const auto& value) {
-        data[key] = pack_integers(column(
-            exhibit, [&](const StateMeasures& m) { return static_cast<std::int32_t>(value(m)); }));
+        data[key] = pack_integers(
+            column([&](const StateMeasures& m) { return static_cast<std::int32_t>(value(m)); }));
     };
     using M = StateMeasures;
     doubles("cost", [](const M& m) { return m.cost; });
@@ -72,9 +82,30 @@ void add_states(ordered_json& data, const Exhibit& exhibit) {
     integers("turnAsv", [](const M& m) { return m.tightest_asv; });
 }
 
-void add_verdict(ordered_json& data, const Exhibit& exhibit) {
-    data["valid"] = exhibit.report.valid();
-    data["verdict"] = verdict(exhibit);
+/// How many states of so many points fit into the bytes that a page has for them: of each seven
+/// numbers of a measure and its step, and coordinates, which take up to five bytes where the
+/// states lie apart; all of it in base64.
+std::size_t most_states(std::size_t points) {
+    constexpr std::size_t bytes_for_states = 3'500'000;
+    constexpr std::size_t bytes_of_measures = 64;
+    constexpr std::size_t bytes_of_point = 14;
+    return bytes_for_states / (bytes_of_measures + bytes_of_point * points);
+}
+
+void add_states(ordered_json& data, const Exhibit& exhibit, std::span<const std::size_t> held) {
+    const std::size_t all = exhibit.measures.size();
+    data["states"] = held.size();
+    data["lastStep"] = std::max<std::size_t>(all, 1) - 1;
+    // Where all states are there, each is the step of its index.
+    const std::vector<std::int32_t> steps(held.begin(), held.end());
+    data["steps"] = held.size() == all ? "" : pack_integers(steps);
+    const PackedTable positions = packed_positions(exhibit, held);
+    data["unit"] = positions.unit;
+    data["positions"] = positions.text;
+    add_measures(data, exhibit, held);
+}
+
+void add_complaints(ordered_json& data, const Exhibit& exhibit) {
     data["complaints"] = ordered_json::array();
     for (const core::CheckResult& check : exhibit.report.checks) {
         if (check.ok()) continue;
@@ -86,17 +117,25 @@ void add_verdict(ordered_json& data, const Exhibit& exhibit) {
         data["complaints"].push_back(
             {{"check", core::name(check.check)},
              {"sentence", std::move(sentence)},
-             {"state", placed ? ordered_json(check.worst->state) : ordered_json(nullptr)}});
+             {"step", placed ? ordered_json(check.worst->state) : ordered_json(nullptr)}});
     }
+}
+
+void add_violations(ordered_json& data, const Exhibit& exhibit, std::span<const std::size_t> held) {
+    // As many take about a megabyte.
+    constexpr std::size_t most_violations = 6000;
+    const auto has_place = [](const Violation& v) { return v.check != core::Check::cost; };
+    data["violationCount"] =
+        std::count_if(exhibit.violations.begin(), exhibit.violations.end(), has_place);
     data["violations"] = ordered_json::array();
     const auto index = [](const std::optional<std::size_t>& i) {
         return i ? static_cast<std::int64_t>(*i) : -1;
     };
-    for (const Violation& violation : exhibit.violations) {
-        if (violation.check == core::Check::cost) continue;
+    for (const Violation& violation : held_violations(exhibit, held, most_violations)) {
+        if (!has_place(violation)) continue;
         data["violations"].push_back(
             {{"check", core::name(violation.check)},
-             {"state", violation.offender.state},
+             {"step", violation.offender.state},
              {"asv", index(violation.offender.asv)},
              {"broom", index(violation.offender.broom)},
              {"obstacle", index(violation.offender.obstacle)},
@@ -126,6 +165,12 @@ void add_trees(ordered_json& data, const Exhibit& exhibit) {
     if (!edges.empty()) data["trees"][0]["edges"] = pack_integers(edges);
 }
 
+ordered_json words_of(core::BodyKind body) {
+    const BodyWords words = words_for(body);
+    return {{"first", words.first}, {"chain", words.chain}, {"path", words.path},
+            {"link", words.link},   {"seen", words.seen},   {"counted", words.counted}};
+}
+
 const char* kind_name(core::BodyKind body) {
     constexpr const char* names[] = {"chain", "arm", "point"};
     return names[static_cast<std::size_t>(body)];
@@ -137,6 +182,7 @@ ordered_json data_of(const Exhibit& exhibit) {
     ordered_json data = {{"name", exhibit.name},
                          {"facts", facts(exhibit)},
                          {"body", kind_name(problem.body_kind())},
+                         {"words", words_of(problem.body_kind())},
                          {"asvCount", problem.asv_count()},
                          {"bounds", {bounds.low.x, bounds.low.y, bounds.high.x, bounds.high.y}},
                          {"minimumArea", problem.requirements.min_area(problem.asv_count())},
@@ -145,10 +191,12 @@ ordered_json data_of(const Exhibit& exhibit) {
                                                             : ordered_json(nullptr)},
                          {"start", flat(problem.start)},
                          {"goal", flat(problem.goal)}};
-    // A large text is moved into its place; a list in braces would copy it.
-    data["obstacles"] = pack(problem.obstacles);
-    add_states(data, exhibit);
-    add_verdict(data, exhibit);
+    const std::vector<std::size_t> held = held_states(exhibit, most_states(problem.asv_count()));
+    add_states(data, exhibit, held);
+    data["valid"] = exhibit.report.valid();
+    data["verdict"] = verdict(exhibit);
+    add_complaints(data, exhibit);
+    add_violations(data, exhibit, held);
     add_trees(data, exhibit);
     return data;
 }
@@ -166,9 +214,10 @@ std::string embeddable(const ordered_json& data) {
 std::string make_player(const Exhibit& exhibit) {
     const std::string title = escape_markup(exhibit.name);
     const std::string data = embeddable(data_of(exhibit));
+    const std::span<const Box> obstacles = exhibit.problem.obstacles;
     std::string result;
     result.reserve(assets::page.size() + assets::style.size() + assets::script.size() +
-                   data.size() + 2 * title.size());
+                   data.size() + 2 * title.size() + base64_size(obstacles.size_bytes()));
     std::string_view rest = assets::page;
     while (!rest.empty()) {
         const std::size_t mark = std::min(rest.find('@'), rest.size());
@@ -177,10 +226,14 @@ std::string make_player(const Exhibit& exhibit) {
         if (rest.empty()) break;
         const std::size_t end = rest.find('@', 1);
         const std::string_view key = rest.substr(1, end - 1);
-        result += key == "TITLE"    ? std::string_view(title)
-                  : key == "STYLE"  ? assets::style
-                  : key == "SCRIPT" ? assets::script
-                                    : std::string_view(data);
+        if (key == "OBSTACLES") {
+            append_packed(result, obstacles);
+        } else {
+            result += key == "TITLE"    ? std::string_view(title)
+                      : key == "STYLE"  ? assets::style
+                      : key == "SCRIPT" ? assets::script
+                                        : std::string_view(data);
+        }
         rest.remove_prefix(end + 1);
     }
     return result;

@@ -1,6 +1,9 @@
 // Clearance and area over the path, and the marks of violated steps above the bar.
 
 const labelWidth = 48;
+const rightMargin = 10;
+/** Room for the steps below a plot. */
+const stepsHeight = 24;
 const plotFont = "12px system-ui, sans-serif";
 
 /**
@@ -8,11 +11,11 @@ const plotFont = "12px system-ui, sans-serif";
  * from frame to frame is painted once, into a canvas of its own.
  */
 class Plot {
-  constructor(id, values, colour, { least = null, root = false, digits }) {
+  constructor(id, values, colour, { least = null, root = false }) {
     this.canvas = document.getElementById(id);
     this.context = this.canvas.getContext("2d");
     this.still = document.createElement("canvas").getContext("2d");
-    Object.assign(this, { values, colour, least, root, digits });
+    Object.assign(this, { values, colour, least, root });
     this.most = Math.max(values.reduce((a, b) => Math.max(a, b), 0), least ?? 0) || 1;
     this.canvas.addEventListener("pointerdown", (event) => {
       this.canvas.setPointerCapture(event.pointerId);
@@ -25,17 +28,21 @@ class Plot {
 
   seek(event) {
     const box = this.canvas.getBoundingClientRect();
-    const share = (event.clientX - box.left - labelWidth) / (box.width - labelWidth - 8);
-    goTo(Math.round(clamp(share, 0, 1) * (story.states - 1)));
+    const share = (event.clientX - box.left - labelWidth) / (box.width - labelWidth - rightMargin);
+    goTo(Math.round(clamp(share, 0, 1) * story.lastStep));
+  }
+
+  xOfStep(step) {
+    return labelWidth + (step / Math.max(story.lastStep, 1)) * (this.width - labelWidth - rightMargin);
   }
 
   x(state) {
-    return labelWidth + (state / Math.max(story.states - 1, 1)) * (this.width - labelWidth - 8);
+    return this.xOfStep(story.steps[state]);
   }
 
   y(value) {
     const share = clamp(value / this.most, 0, 1);
-    return this.height - 8 - (this.root ? Math.sqrt(share) : share) * (this.height - 18);
+    return this.height - stepsHeight - (this.root ? Math.sqrt(share) : share) * (this.height - stepsHeight - 10);
   }
 
   resize() {
@@ -48,15 +55,19 @@ class Plot {
     this.paintViolations();
   }
 
-  line(y, colour, dashes) {
+  line(fromX, fromY, toX, toY, colour, dashes) {
     this.still.strokeStyle = colour;
     this.still.lineWidth = 1;
     this.still.setLineDash(dashes);
     this.still.beginPath();
-    this.still.moveTo(labelWidth, y);
-    this.still.lineTo(this.width - 8, y);
+    this.still.moveTo(fromX, fromY);
+    this.still.lineTo(toX, toY);
     this.still.stroke();
     this.still.setLineDash([]);
+  }
+
+  level(value, colour, dashes = []) {
+    this.line(labelWidth, this.y(value), this.width - rightMargin, this.y(value), colour, dashes);
   }
 
   paintScale() {
@@ -66,32 +77,37 @@ class Plot {
     context.textBaseline = "middle";
     context.fillStyle = colours.muted;
     for (const value of roundNumbers(this.most, (v) => this.y(v))) {
-      this.line(this.y(value), colours.grid, []);
+      this.level(value, colours.grid);
       context.fillText(String(value), labelWidth - 5, this.y(value));
+    }
+    context.textAlign = "center";
+    for (const step of roundSteps(story.lastStep, (this.width - labelWidth) / 75)) {
+      const x = this.xOfStep(step);
+      this.line(x, this.y(0), x, this.y(0) + 4, colours.muted, []);
+      const words = grouped(step);
+      const half = context.measureText(words).width / 2;
+      context.fillText(words, Math.min(x, this.width - half - 1), this.height - 10);
     }
   }
 
   /** For each pixel column the least and the greatest value: no peak is lost. */
   paintCurve() {
     const context = this.still;
-    const columns = Math.max(Math.round(this.width - labelWidth - 8), 1);
     context.strokeStyle = colours[this.colour];
     context.lineWidth = 1.6;
     context.beginPath();
-    for (let column = 0; column < columns; ++column) {
-      const first = Math.floor((column / columns) * story.states);
-      const end = Math.max(Math.floor(((column + 1) / columns) * story.states), first + 1);
+    for (let state = 0; state < story.states;) {
+      const column = Math.floor(this.x(state));
       let [low, high] = [Infinity, -Infinity];
-      for (let state = first; state < end && state < story.states; ++state) {
+      for (; state < story.states && Math.floor(this.x(state)) === column; ++state) {
         low = Math.min(low, this.values[state]);
         high = Math.max(high, this.values[state]);
       }
-      if (low === Infinity) continue;
-      context.lineTo(labelWidth + column, this.y(high));
-      context.lineTo(labelWidth + column, this.y(low));
+      context.lineTo(column, this.y(high));
+      context.lineTo(column, this.y(low));
     }
     context.stroke();
-    if (this.least !== null) this.line(this.y(this.least), colours.ink, [5, 4]);
+    if (this.least !== null) this.level(this.least, colours.ink, [5, 4]);
   }
 
   paintViolations() {
@@ -107,7 +123,7 @@ class Plot {
     context.lineWidth = 1.2;
     context.beginPath();
     context.moveTo(this.x(state), 4);
-    context.lineTo(this.x(state), this.height - 4);
+    context.lineTo(this.x(state), this.y(0) + 4);
     context.stroke();
     context.fillStyle = colours[this.colour];
     context.beginPath();
@@ -131,6 +147,13 @@ function roundNumbers(most, y) {
   return [...numbers, 0];
 }
 
+/** Multiples of 1, 2 or 5 times a power of ten from 0 to last, no more than count of them but 0. */
+function roundSteps(last, count) {
+  const power = 10 ** Math.floor(Math.log10(Math.max(last / count, 1)));
+  const gap = [1, 2, 5, 10].map((part) => part * power).find((size) => last / size <= count) ?? last;
+  return Array.from({ length: Math.floor(last / gap) + 1 }, (_, i) => i * gap);
+}
+
 function paintMarks() {
   const context = document.getElementById("marks").getContext("2d");
   const width = context.canvas.clientWidth;
@@ -139,7 +162,7 @@ function paintMarks() {
   // The thumb of the bar keeps half its width away from both ends.
   const inset = 8;
   for (const state of story.violated.keys()) {
-    const x = inset + (state / Math.max(story.states - 1, 1)) * (width - 2 * inset);
+    const x = inset + (story.steps[state] / Math.max(story.lastStep, 1)) * (width - 2 * inset);
     context.fillRect(x - 1, 0, 2, context.canvas.clientHeight);
   }
 }
@@ -147,8 +170,8 @@ function paintMarks() {
 function makePlots() {
   const plots = [];
   const wanted = [
-    ["clearance", story.clearance, "least", { root: true, digits: 4 }],
-    ["area", story.area, "goal", { least: story.minimumArea, digits: 4 }],
+    ["clearance", story.clearance, "least", { root: true }],
+    ["area", story.area, "goal", { least: story.minimumArea }],
   ];
   for (const [name, values, colour, options] of wanted) {
     if (story.states > 0 && Number.isFinite(values[0])) {
@@ -158,5 +181,6 @@ function makePlots() {
       document.getElementById(`label-${name}`).hidden = true;
     }
   }
+  document.getElementById("plots").hidden = plots.length === 0;
   return plots;
 }

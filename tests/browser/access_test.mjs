@@ -143,6 +143,27 @@ test("works on a phone", async () => {
   await close(page);
 });
 
+for (const [width, height] of [[844, 390], [667, 375], [932, 430]]) {
+  test(`a phone on its side has the field and what moves it in reach, ${width} x ${height}`, async () => {
+    const page = await open("7ASV.html", {
+      viewport: { width, height }, deviceScaleFactor: 2, isMobile: true, hasTouch: true,
+    });
+    for (const id of ["stage", "scrub", "to-start", "rewind", "step-back", "play", "step-on", "to-end", "speed",
+                      "show-trails", "zoom-in", "zoom-out", "zoom-fit"]) {
+      const box = await page.locator(`#${id}`).boundingBox();
+      assert.ok(box.x >= 0 && box.y >= 0 && box.x + box.width <= width && box.y + box.height <= height,
+                `${id}: ${JSON.stringify(box)}`);
+    }
+    assert.ok((await page.locator("#stage").boundingBox()).height >= 0.8 * height, "the field is as high as the screen");
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, "no scrolling sideways");
+    await page.locator("#plot-area").scrollIntoViewIfNeeded();
+    assert.ok((await page.locator("#stage").boundingBox()).y >= 0, "the field stays while one reads on");
+    await screenshot(page, `landscape-${width}`);
+    assert.deepEqual(page.troubles, []);
+    await close(page);
+  });
+}
+
 /** Two fingers move apart on the stage until their gap has grown by the factor. */
 async function pinch(page, factor) {
   await page.locator("#stage").scrollIntoViewIfNeeded();

@@ -29,7 +29,7 @@ test("says that the solution is not valid, and why", async () => {
 });
 
 test("marks every state that the validator rejects", async () => {
-  const shown = await page.evaluate(() => story.violations.map((v) => [v.check, v.state, v.asv, v.broom, v.obstacle]));
+  const shown = await page.evaluate(() => story.violations.map((v) => [v.check, v.step, v.asv, v.broom, v.obstacle]));
   const wanted = failed.filter((check) => check.check !== "cost").flatMap((check) =>
     check.offenders.map((o) => [check.check, o.state, (o.asv ?? 0) - 1, (o.broom ?? 0) - 1, (o.obstacle ?? 0) - 1]));
   const sorted = (list) => list.map((entry) => entry.join(" ")).sort();
@@ -63,7 +63,7 @@ test("marks the steps above the bar and in the plots", async () => {
     const was = await pixels(page, id);
     await page.evaluate(() => { story.violated = new Map(); resize(); });
     assert.notEqual(await pixels(page, id), was);
-    await page.evaluate(() => { story.violated = byState(story.violations); resize(); });
+    await page.evaluate(() => { story.violated = byState(story.violations, story.steps); resize(); });
   }
 });
 

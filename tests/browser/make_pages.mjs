@@ -1,5 +1,6 @@
 // Makes the pages under test with the programs: a solved 7ASV with its trees, a spoilt
-// solution, a problem alone, one with an awkward name, two very long paths, and a gallery.
+// solution, a problem alone, one with an awkward name, an arm, a point, very long paths, and a
+// gallery.
 
 import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync, writeFileSync } from "node:fs";
@@ -94,13 +95,21 @@ copyFileSync(problem, page(`${awkward}.txt`));
 run("asv-view", [page(`${awkward}.txt`), page("7ASV.solution.txt"), "-o", page("awkward.html")]);
 writeFileSync(page("awkward-name.json"), JSON.stringify(awkward));
 
+for (const [name, scenario] of [["arm", "arm-4-workshop"], ["point", "point-town"]]) {
+  const file = join(ASV_SOURCE, "testcases", "bodies", `${scenario}.json`);
+  run("asv-solve", [file, page(`${name}.solution.txt`), "--optimize", "0.1", "--quiet"]);
+  run("asv-view", [file, page(`${name}.solution.txt`), "-o", page(`${name}.html`)]);
+}
+
 wander(15, 10000, "long-10000");
 wander(15, 30000, "long-30000");
+wander(3, 120000, "long-120000");
 
 const cases = join(pages, "cases");
 mkdirSync(cases, { recursive: true });
 for (const name of ["7ASV", "spoilt"]) {
   for (const ending of [".txt", ".solution.txt"]) copyFileSync(page(name + ending), join(cases, name + ending));
 }
+copyFileSync(join(ASV_SOURCE, "testcases", "15ASV.txt"), join(cases, "15ASV.txt"));
 writeFileSync(join(cases, "broken.txt"), "seven\n");
 run("asv-view", ["--gallery", join(pages, "gallery"), cases], [3]);

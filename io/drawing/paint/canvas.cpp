@@ -9,6 +9,7 @@
 #include <cairo-svg.h>
 #include <cairo.h>
 
+#include "io/drawing/paint/svg_text.hpp"
 #include "io/text/markup.hpp"
 #include "io/text/valid_text.hpp"
 
@@ -191,6 +192,10 @@ void Canvas::stroke_circle(const Point& centre, double radius, const Stroke& str
 }
 
 void Canvas::text(const Point& at, std::string_view words, const TextStyle& style) {
+    if (format_ == PictureFormat::svg) {
+        svg_texts_ += svg_text(at, words, style);
+        return;
+    }
     const double width = text_width(words, style);
     const double shift = style.align == Align::left     ? 0
                          : style.align == Align::centre ? width / 2
@@ -266,13 +271,10 @@ std::string Canvas::finish(std::string_view title, std::string_view description)
     check(cairo_surface_status(surface));
     // cairo writes six decimals of every number; a hundredth of a point is more than a screen
     // shows, and takes a quarter less.
-    if (format_ == PictureFormat::svg) bytes_ = with_two_decimals(bytes_);
-    const std::size_t root = bytes_.find("<svg ");
-    if (format_ == PictureFormat::svg && root != std::string::npos) {
-        bytes_.insert(bytes_.find('>', root) + 1,
-                      "\n<title>" + escape_markup(valid_text(title)) + "</title>\n<desc>" +
-                          escape_markup(valid_text(description)) + "</desc>");
-        bytes_.insert(root + 5, "role=\"img\" ");
+    if (format_ == PictureFormat::svg) {
+        bytes_ = with_two_decimals(bytes_);
+        add_svg_texts(bytes_, svg_texts_);
+        describe_svg(bytes_, title, description);
     }
     return std::move(bytes_);
 }

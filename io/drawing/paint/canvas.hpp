@@ -53,7 +53,8 @@ class Canvas {
     void fill_circle(const geometry::Point& centre, double radius, const Colour& colour);
     void stroke_circle(const geometry::Point& centre, double radius, const Stroke& stroke);
 
-    /// at is on the base line, at the side that the style aligns to.
+    /// at is on the base line, at the side that the style aligns to. In an svg it is text that can
+    /// be selected and searched; there it stands in front of everything else, and is not clipped.
     void text(const geometry::Point& at, std::string_view words, const TextStyle& style);
     double text_width(std::string_view words, const TextStyle& style);
 
@@ -81,6 +82,7 @@ class Canvas {
     PictureFormat format_;
     double pixels_per_point_;
     std::string bytes_;
+    std::string svg_texts_;  ///< the elements of an svg that finish() adds
     std::unique_ptr<Handles> handles_;
     cairo_t* cairo_;
 };

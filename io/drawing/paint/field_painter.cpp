@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "io/drawing/paint/obstacle_painter.hpp"
+
 namespace asv::io {
 
 namespace {
@@ -12,11 +14,6 @@ using geometry::Box;
 using geometry::Point;
 using geometry::Segment;
 
-constexpr std::size_t max_numbered_obstacles = 100;
-/// More than these become pixels in formats of lines too.
-constexpr std::size_t max_drawn_obstacles = 20'000;
-/// As many boxes at a time are moved to the page: a multiple of what Canvas puts into one path.
-constexpr std::size_t boxes_at_a_time = 4096;
 constexpr double end_broom = 3;
 constexpr double end_dot = 4;
 constexpr double label_size = 15;
@@ -59,45 +56,6 @@ void paint_grid(Canvas& canvas, const Page& page, const Palette& colours) {
         canvas.stroke_segments(std::span(&up, 1), line);
         canvas.text({page.field.low.x - 8, up.a.y + 4}, fixed(y, digits), beside);
     }
-}
-
-void paint_obstacle_numbers(Canvas& canvas, const Scene& scene, const Page& page,
-                            const Palette& colours) {
-    if (scene.obstacles.size() > max_numbered_obstacles) return;
-    const TextStyle style{colours.ink, Page::text_size, true, Align::centre};
-    for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
-        const Box box = page.at(scene.obstacles[i]);
-        const std::string number = std::to_string(i + 1);
-        const bool fits = box.high.y - box.low.y > 16 &&
-                          box.high.x - box.low.x > canvas.text_width(number, style) + 4;
-        if (!fits) continue;
-        canvas.text({(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2 + 4}, number,
-                    style);
-    }
-}
-
-/// Calls paint with the boxes on the page, part by part.
-template <class Paint>
-void for_boxes_on_page(const Scene& scene, const Page& page, const Paint& paint) {
-    std::vector<Box> boxes;
-    for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
-        boxes.push_back(page.at(scene.obstacles[i]));
-        if (boxes.size() < boxes_at_a_time && i + 1 < scene.obstacles.size()) continue;
-        paint(std::span<const Box>(boxes));
-        boxes.clear();
-    }
-}
-
-void paint_obstacles(Canvas& canvas, const Scene& scene, const Page& page, const Palette& colours) {
-    const bool as_pixels = scene.obstacles.size() > max_drawn_obstacles;
-    const Stroke outline{mixed(colours.obstacle, colours.ink, 0.35), 0.8};
-    if (as_pixels) canvas.push_pixels(page.field);
-    for_boxes_on_page(scene, page, [&](std::span<const Box> boxes) {
-        canvas.fill_boxes(boxes, colours.obstacle);
-    });
-    for_boxes_on_page(scene, page,
-                      [&](std::span<const Box> boxes) { canvas.stroke_boxes(boxes, outline); });
-    if (as_pixels) canvas.pop_pixels();
 }
 
 void paint_trees(Canvas& canvas, const Scene& scene, const Page& page, const Palette& colours) {
@@ -154,6 +112,13 @@ void paint_least(Canvas& canvas, const SceneLeast& least, const Page& page,
     const Point middle{(link.a.x + link.b.x) / 2, (link.a.y + link.b.y) / 2};
     canvas.stroke_circle(middle, min_radius, {colours.field, 5});
     canvas.stroke_circle(middle, min_radius, {colours.least, 2.4});
+}
+
+void paint_violations(Canvas& canvas, const Scene& scene, const Page& page,
+                      const Palette& colours) {
+    for (const SceneViolation& violation : scene.violations) {
+        paint_violation_mark(canvas, page.at(violation.at), colours);
+    }
 }
 
 Box bounds(const std::vector<Point>& points) {
@@ -241,6 +206,16 @@ void paint_scene(Canvas& canvas, const Scene& scene, const Page& page, const Pal
     for (const SceneLine& line : scene.lines) paint_line(canvas, scene, line, page, colours);
 }
 
+void paint_bare_field(Canvas& canvas, const Scene& scene, const Page& page,
+                      const Palette& colours) {
+    canvas.fill_boxes(std::span(&page.field, 1), colours.field);
+    canvas.push_clip(page.field);
+    paint_scene(canvas, scene, page, colours);
+    paint_violations(canvas, scene, page, colours);
+    canvas.pop_clip();
+    canvas.stroke_boxes(std::span(&page.field, 1), {colours.muted, 1.2});
+}
+
 void paint_field(Canvas& canvas, const Scene& scene, const Page& page, const Palette& colours) {
     canvas.fill_boxes(std::span(&page.field, 1), colours.field);
     paint_grid(canvas, page, colours);
@@ -248,9 +223,7 @@ void paint_field(Canvas& canvas, const Scene& scene, const Page& page, const Pal
     paint_scene(canvas, scene, page, colours);
     paint_obstacle_numbers(canvas, scene, page, colours);
     if (scene.least) paint_least(canvas, *scene.least, page, colours);
-    for (const SceneViolation& violation : scene.violations) {
-        paint_violation_mark(canvas, page.at(violation.at), colours);
-    }
+    paint_violations(canvas, scene, page, colours);
     paint_labels(canvas, scene, page, colours);
     canvas.pop_clip();
     canvas.stroke_boxes(std::span(&page.field, 1), {colours.muted, 1.2});

@@ -27,6 +27,9 @@ void paint_scene(Canvas& canvas, const Scene& scene, const Page& page, const Pal
 /// Paints the background with its grid and numbers, the scene, the labels and the border.
 void paint_field(Canvas& canvas, const Scene& scene, const Page& page, const Palette& colours);
 
+/// Paints the same for a small picture: no grid, no numbers, no words.
+void paint_bare_field(Canvas& canvas, const Scene& scene, const Page& page, const Palette& colours);
+
 /// One chain: its brooms and a dot for each ASV. The points are on the page already.
 void paint_chain(Canvas& canvas, const std::vector<geometry::Point>& points, const Pen& pen,
                  const Colour& colour);

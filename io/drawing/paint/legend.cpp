@@ -12,7 +12,9 @@ using geometry::Point;
 namespace {
 
 constexpr double line_height = 24;
-constexpr double swatch = 34;  ///< the drawing of an entry, and a gap
+constexpr double gap = 4;  ///< between the drawing of an entry and its words
+constexpr double bar_width = 120;
+constexpr double bar_height = 10;
 
 void add_line_entry(std::vector<LegendEntry>& entries, std::string words, Stroke stroke,
                     double dot) {
@@ -27,6 +29,23 @@ void add_line_entry(std::vector<LegendEntry>& entries, std::string words, Stroke
          }});
 }
 
+/// The colours from start to goal, side by side.
+LegendEntry colour_bar(const Palette& colours) {
+    return {"share of the cost, from start to goal",
+            [&colours](Canvas& canvas, const Point& at) {
+                constexpr int parts = 24;
+                for (int i = 0; i < parts; ++i) {
+                    const double from = static_cast<double>(i) / parts;
+                    // Each part runs under all that follow: no gap shows between two.
+                    const geometry::Box part{{at.x + from * bar_width, at.y - bar_height / 2},
+                                             {at.x + bar_width, at.y + bar_height / 2}};
+                    canvas.fill_boxes(std::span(&part, 1),
+                                      along_the_way(colours, from + 0.5 / parts));
+                }
+            },
+            bar_width + gap};
+}
+
 /// The left end of each entry, set line by line from the origin, and the height of all lines.
 struct LegendLayout {
     std::vector<Point> places;
@@ -37,7 +56,8 @@ LegendLayout lay_out(Canvas& canvas, const std::vector<LegendEntry>& entries, do
     LegendLayout layout;
     Point at{0, 0};
     for (const LegendEntry& entry : entries) {
-        const double needed = swatch + canvas.text_width(entry.words, {{}, Page::text_size});
+        const double needed =
+            entry.width + gap + canvas.text_width(entry.words, {{}, Page::text_size});
         if (at.x > 0 && at.x + needed > width) at = {0, at.y + line_height};
         layout.places.push_back(at);
         at.x += needed + 20;
@@ -70,6 +90,7 @@ std::vector<LegendEntry> legend(const Scene& scene, const Palette& colours) {
         add_line_entry(entries, first ? words.seen_path : words.path, path_stroke(scene, middle),
                        0);
     }
+    if (scene.ghosts > 0 || has(Role::path)) entries.push_back(colour_bar(colours));
     if (has(Role::start_closing)) {
         add_line_entry(entries, "closing side", {faded(middle, 0.75), 1.2, {3, 4}}, 0);
     }
@@ -106,7 +127,8 @@ void paint_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, const
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const Point at{corner.x + layout.places[i].x, corner.y + layout.places[i].y};
         entries[i].draw(canvas, at);
-        canvas.text({at.x + swatch, at.y + 4.5}, entries[i].words, {colours.ink, Page::text_size});
+        canvas.text({at.x + entries[i].width + gap, at.y + 4.5}, entries[i].words,
+                    {colours.ink, Page::text_size});
     }
 }
 

@@ -11,11 +11,12 @@
 
 namespace asv::io {
 
-/// One entry of the legend: a small drawing, 30 points wide, and words.
+/// One entry of the legend: a small drawing and words.
 struct LegendEntry {
     std::string words;
     std::function<void(Canvas&, const geometry::Point&)>
-        draw;  ///< at is the left end of its middle line
+        draw;           ///< at is the left end of its middle line
+    double width = 30;  ///< of the drawing in points; most are this wide
 };
 
 /// What the scene has, in the order in which it is told. The palette has to outlive the entries.

@@ -29,6 +29,18 @@ Page::Page(const Box& the_world, std::size_t header_lines, double strip_height) 
     height = strip_top + strip_height + right;
 }
 
+Page Page::of_field(const Box& world, double side) {
+    const double across = world.high.x - world.low.x;
+    const double up = world.high.y - world.low.y;
+    Page page;
+    page.world = world;
+    page.scale = side / std::max(across, up);
+    page.width = page.scale * across;
+    page.height = page.scale * up;
+    page.field = {{0, 0}, {page.width, page.height}};
+    return page;
+}
+
 Point Page::at(const Point& point) const {
     return {field.low.x + (point.x - world.low.x) * scale,
             field.high.y - (point.y - world.low.y) * scale};

@@ -24,9 +24,13 @@ struct Page {
     geometry::Box field;   ///< the field on the page
     double strip_top = 0;  ///< of what is below the field
 
+    Page() = default;
     /// Precondition: world is not empty and has an extent in both coordinates.
     /// strip_height is what the legend, the plot and the inset below the field need.
     Page(const geometry::Box& world, std::size_t header_lines, double strip_height);
+
+    /// A page that is the field alone, its longer side as long as given.
+    static Page of_field(const geometry::Box& world, double side);
 
     geometry::Point at(const geometry::Point& point) const;
     geometry::Box at(const geometry::Box& box) const;

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <regex>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -85,10 +87,76 @@ TEST(Picture, SvgHasTheObstaclesTheWaysAndTheMark) {
         EXPECT_NE(svg.find("<title>sample</title>"), std::string::npos);
         EXPECT_NE(svg.find("role=\"img\""), std::string::npos);
         EXPECT_NE(svg.find("width=\"880px\""), std::string::npos);
-        const std::string drawing = svg.substr(svg.find("</desc>"));
+        // What the texts say keeps its digits.
+        const std::string drawing =
+            std::regex_replace(svg.substr(svg.find("</desc>")), std::regex(">[^<]*</text>"), "");
         EXPECT_FALSE(std::regex_search(drawing, std::regex("[0-9]\\.[0-9]{3}"))) << "short numbers";
         EXPECT_LT(svg.size(), 1000000U);
     }
+}
+
+/// What the text elements of an svg say.
+std::vector<std::string> texts_of(const std::string& svg) {
+    const std::regex element("<text [^>]*>([^<]*)</text>");
+    std::vector<std::string> texts;
+    for (std::sregex_iterator it(svg.begin(), svg.end(), element), end; it != end; ++it)
+        texts.push_back((*it)[1]);
+    return texts;
+}
+
+bool has(const std::vector<std::string>& texts, const std::string& text) {
+    return std::find(texts.begin(), texts.end(), text) != texts.end();
+}
+
+TEST(Picture, SvgHasItsWordsAsText) {
+    const Exhibit exhibit = make_exhibit(sample(5, {{0.1, 0.3}, {0.7, 0.3}}, two_walls()));
+    const std::string svg = draw_picture(exhibit, PictureFormat::svg, Theme::light);
+    const std::vector<std::string> texts = texts_of(svg);
+    for (const std::string& wanted : {std::string("sample"), std::string("✓ valid"), facts(exhibit),
+                                      std::string("start"), std::string("goal"), std::string("0.2"),
+                                      std::string("share of the cost, from start to goal")})
+        EXPECT_TRUE(has(texts, wanted)) << wanted;
+    EXPECT_EQ(svg.find("<symbol"), std::string::npos) << "no outlines of letters";
+    EXPECT_EQ(svg.find("glyph"), std::string::npos) << "no outlines of letters";
+}
+
+TEST(Picture, NumbersObstaclesWhereThereIsRoomAndTheyAreFew) {
+    const auto numbers = [](std::vector<Box> boxes) {
+        ExhibitInput input = sample(3, {{0.1, 0.3}, {0.2, 0.3}}, std::move(boxes));
+        input.solution.reset();
+        const Exhibit exhibit = make_exhibit(std::move(input));
+        return texts_of(draw_picture(exhibit, PictureFormat::svg, Theme::light));
+    };
+    const std::vector<std::string> apart =
+        numbers({{{0.5, 0.5}, {0.6, 0.6}}, {{0.7, 0.7}, {0.705, 0.9}}, {{0.8, 0.8}, {0.9, 0.9}}});
+    EXPECT_TRUE(has(apart, "1"));
+    EXPECT_FALSE(has(apart, "2")) << "too thin for its number";
+    EXPECT_TRUE(has(apart, "3"));
+    const std::vector<std::string> crossed =
+        numbers({{{0.4, 0.68}, {0.9, 0.72}}, {{0.63, 0.5}, {0.67, 0.9}}});
+    EXPECT_FALSE(has(crossed, "1") || has(crossed, "2")) << "both would stand in one place";
+    std::vector<Box> many;
+    for (int i = 0; i < 64; ++i) {
+        const Point low{0.45 + 0.06 * (i % 8), 0.45 + 0.06 * (i / 8)};
+        many.push_back({low, {low.x + 0.05, low.y + 0.05}});
+    }
+    EXPECT_FALSE(has(numbers(many), "1"));
+}
+
+TEST(Picture, AThumbnailIsTheFieldAlone) {
+    const Exhibit exhibit = make_exhibit(sample(5, {{0.1, 0.3}, {0.7, 0.3}}, two_walls()));
+    for (const Theme theme : {Theme::light, Theme::dark}) {
+        const std::string svg = draw_thumbnail(exhibit, theme);
+        EXPECT_TRUE(texts_of(svg).empty());
+        EXPECT_NE(svg.find("width=\"400px\" height=\"400px\""), std::string::npos);
+        EXPECT_NE(svg.find("<title>sample</title>"), std::string::npos);
+        EXPECT_NE(svg.find(svg_colour(palette(theme).obstacle)), std::string::npos);
+    }
+    ExhibitInput wide = sample(3, {{0.1, 0.3}, {0.2, 0.3}}, {});
+    wide.problem.requirements.bounds = {{0, 0}, {2, 1}};
+    EXPECT_NE(draw_thumbnail(make_exhibit(std::move(wide)), Theme::light)
+                  .find("width=\"400px\" height=\"200px\""),
+              std::string::npos);
 }
 
 TEST(Picture, TakesAnyNameAndEscapesIt) {

@@ -41,6 +41,16 @@ TEST_F(Gallery, FindsProblemsWithTheirSolutions) {
     EXPECT_THROW(find_exhibits(missing, std::nullopt), ReadError);
 }
 
+TEST_F(Gallery, PutsCasesInTheirNaturalOrder) {
+    for (const char* name : {"15ASV.txt", "3ASV.txt", "7ASV-x10.txt", "7ASV-x2.txt"})
+        std::ofstream(folder_ / "cases" / name) << "nonsense\n";
+    const auto found = find_exhibits(std::vector{folder_ / "cases"}, std::nullopt);
+    std::vector<std::string> names;
+    for (const ExhibitFiles& files : found) names.push_back(files.problem.stem().string());
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"3ASV", "7ASV-x2", "7ASV-x10", "15ASV", "a&a", "b", "c"}));
+}
+
 TEST_F(Gallery, WritesPicturesPlayersAndAnIndexOfAll) {
     const std::vector<std::filesystem::path> cases{folder_ / "cases", folder_ / "cases/b.txt"};
     const GalleryReport report = write_gallery(folder_ / "out", find_exhibits(cases, std::nullopt));
@@ -48,7 +58,8 @@ TEST_F(Gallery, WritesPicturesPlayersAndAnIndexOfAll) {
     ASSERT_EQ(report.failures.size(), 1U);
     EXPECT_EQ(report.failures[0].name, "c");
     for (const char* name : {"a&a", "b", "b-2"}) {
-        for (const char* ending : {".light.svg", ".dark.svg", ".html"}) {
+        for (const char* ending :
+             {".light.svg", ".dark.svg", ".light.small.svg", ".dark.small.svg", ".html"}) {
             EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / (std::string(name) + ending)))
                 << name << ending;
         }
@@ -57,6 +68,9 @@ TEST_F(Gallery, WritesPicturesPlayersAndAnIndexOfAll) {
     EXPECT_NE(index.find("href=\"a%26a.html\""), std::string::npos);
     EXPECT_NE(index.find(">a&amp;a</a>"), std::string::npos);
     EXPECT_NE(index.find("c.txt:1:1: expected"), std::string::npos);
+    EXPECT_NE(index.find("src=\"b.light.small.svg\""), std::string::npos);
+    EXPECT_NE(index.find("<a href=\"b.dark.svg\" aria-label=\"Picture of b, dark\">"),
+              std::string::npos);
     EXPECT_EQ(index.find(folder_.path().string()), std::string::npos) << "no folder names";
 }
 
@@ -71,7 +85,7 @@ TEST_F(Gallery, ThePageLoadsNothingFromElsewhere) {
 TEST_F(Gallery, NoTwoExhibitsAndNoPageShareAFile) {
     const std::vector<ExhibitFiles> exhibits{{"index.txt"}, {"a.txt"}, {"x/a.txt"}, {"a-2.txt"}};
     EXPECT_EQ(gallery_names(exhibits), (std::vector<std::string>{"index-2", "a", "a-2", "a-2-2"}));
-    EXPECT_EQ(gallery_files("g", exhibits).size(), 13U);
+    EXPECT_EQ(gallery_files("g", exhibits).size(), 21U);
 }
 
 TEST_F(Gallery, AMapIsNotOverwritten) {

@@ -29,6 +29,8 @@ TEST(Player, CarriesThePathAndTheExactReadOuts) {
     const json data = data_of(make_player(exhibit));
     const std::size_t states = exhibit.measures.size();
     ASSERT_EQ(data["states"], states);
+    EXPECT_EQ(data["lastStep"], states - 1);
+    EXPECT_EQ(data["steps"], "") << "all of them are there";
     const auto positions = unpack_table({data["unit"], data["positions"]}, states, 10);
     for (std::size_t i = 0; i < states; ++i) {
         for (std::size_t k = 0; k < 5; ++k) {
@@ -73,6 +75,8 @@ TEST(Player, ListsTheViolationsOfTheValidator) {
     for (const core::CheckResult& check : exhibit.report.checks) failures += check.failures;
     EXPECT_EQ(data["violations"].size(), failures);
     EXPECT_EQ(data["violations"][0]["obstacle"], 0);
+    EXPECT_EQ(data["violationCount"], failures);
+    EXPECT_EQ(data["complaints"][0]["step"], exhibit.report.checks[7].worst->state);
 }
 
 TEST(Player, TenThousandStepsOfFifteenAsvsStayBelowFiveMegabytes) {
@@ -85,6 +89,30 @@ TEST(Player, TenThousandStepsOfFifteenAsvsStayBelowFiveMegabytes) {
     const Exhibit exhibit = make_exhibit(sample(15, way, {{{0, 0}, {0.01, 1}}}));
     ASSERT_EQ(exhibit.measures.size(), 10001U);
     EXPECT_LT(make_player(exhibit).size(), 5000000U);
+}
+
+TEST(Player, CarriesTheObstaclesHoweverMany) {
+    std::vector<Box> boxes;
+    std::vector<double> sides;
+    for (int i = 0; i < 2000; ++i) {
+        const double x = 0.5 + 0.0002 * i;
+        boxes.push_back({{x, 0.9}, {x + 0.0001, 1}});
+        sides.insert(sides.end(), {x, 0.9, x + 0.0001, 1});
+    }
+    const Exhibit exhibit = make_exhibit(sample(3, {{0.1, 0.3}, {0.2, 0.3}}, std::move(boxes)));
+    const std::string element = "<script id=\"obstacles\" type=\"text/plain\">";
+    EXPECT_NE(make_player(exhibit).find(element + pack_doubles(sides) + "</script>"),
+              std::string::npos);
+}
+
+TEST(Player, SpeaksOfTheBodyInItsOwnWords) {
+    ExhibitInput input = sample(1, {{0.1, 0.3}, {0.2, 0.3}}, {});
+    EXPECT_EQ(data_of(make_player(make_exhibit(input)))["words"]["link"], "broom");
+    input.problem.body = core::PointBody{};
+    const json words = data_of(make_player(make_exhibit(input)))["words"];
+    EXPECT_EQ(words["link"], "") << "a point has no links";
+    EXPECT_EQ(words["counted"], "");
+    EXPECT_EQ(words["chain"], "point");
 }
 
 TEST(Player, ShowsTreesAndProblemsAlone) {
