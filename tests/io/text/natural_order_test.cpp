@@ -24,10 +24,10 @@ TEST(NaturalOrder, IsStrictAndTakesAnything) {
     for (const std::string& a : names) {
         EXPECT_FALSE(naturally_before(a, a)) << a;
         for (const std::string& b : names) {
-            if (a != b) EXPECT_NE(naturally_before(a, b), naturally_before(b, a)) << a << " " << b;
+            EXPECT_EQ(a == b, naturally_before(a, b) == naturally_before(b, a)) << a << " " << b;
             for (const std::string& c : names) {
-                if (naturally_before(a, b) && naturally_before(b, c))
-                    EXPECT_TRUE(naturally_before(a, c)) << a << " " << b << " " << c;
+                const bool in_order = naturally_before(a, b) && naturally_before(b, c);
+                EXPECT_TRUE(!in_order || naturally_before(a, c)) << a << " " << b << " " << c;
             }
         }
     }
