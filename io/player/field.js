@@ -166,7 +166,11 @@ function paintEnd(context, points, colour, word) {
     lowest = Math.min(lowest, points[i + 1]);
     sum += points[i];
   }
-  const x = toPageX((2 * sum) / points.length);
+  const middle = toPageX((2 * sum) / points.length);
+  const half = context.measureText(word).width / 2 + 4;
+  // Near the border it stands beside the middle rather than being cut off.
+  const inView = middle >= 0 && middle <= camera.size;
+  const x = inView ? clamp(middle, half, camera.size - half) : middle;
   const y = Math.min(toPageY(lowest) + 20, camera.size - 6);
   context.strokeText(word, x, y);
   context.fillText(word, x, y);
