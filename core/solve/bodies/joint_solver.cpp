@@ -59,9 +59,7 @@ class JointSolver : public BodySolver {
     Attempt search(const Limits& limits, Rng& rng, const Observer& observer,
                    std::size_t /*racer*/) const override {
         if (!geodesic_.empty()) return found_path(world_, geodesic_);
-        return std::visit(
-            [&](const auto& chosen) { return run(chosen, world_, limits, rng, observer); },
-            planner_);
+        return search_with(planner_, limits, rng, observer);
     }
 
     double cost(const Configurations& path) const override {
@@ -72,9 +70,16 @@ class JointSolver : public BodySolver {
                      Rng& rng) const override {
         if (!geodesic_.empty()) return {geodesic_, {}, true};
         Improved improved;
+        // Two trees find a path soon, a roadmap, where it finds one, a shorter path.
+        const Planner roadmap = PrmRandomPlanner{};
+        const bool varied = std::holds_alternative<AutoPlanner>(planner_);
+        bool by_trees = false;
         const auto another = [&](Rng& draws, double patience) {
-            Attempt attempt = search(with_patience(order.search_limits, patience), draws, {}, 0);
+            const Planner& planner = varied && !by_trees ? roadmap : planner_;
+            const Limits limits = with_patience(order.search_limits, patience);
+            Attempt attempt = search_with(planner, limits, draws, {});
             improved.checks += attempt.checks;
+            by_trees = !by_trees && attempt.search.path.empty();
             return AnotherPath{std::move(attempt.search.path), search_work(attempt.checks)};
         };
         ImproveOptions options{.work = order.work,
@@ -106,6 +111,13 @@ class JointSolver : public BodySolver {
     }
 
   private:
+    Attempt search_with(const Planner& planner, const Limits& limits, Rng& rng,
+                        const Observer& observer) const {
+        return std::visit(
+            [&](const auto& chosen) { return run(chosen, world_, limits, rng, observer); },
+            planner);
+    }
+
     double search_work(const ChecksSpent& checks) const {
         return search_overhead +
                microseconds(checks.state_checks, checks.edge_checks, world_.dimension());

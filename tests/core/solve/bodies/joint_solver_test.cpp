@@ -3,7 +3,9 @@
 
 #include "core/bounds/lower_bound.hpp"
 #include "core/solve/solve.hpp"
+#include "io/problem/problem_file.hpp"
 #include "tests/kit/chains/arms.hpp"
+#include "tests/kit/chains/problems.hpp"
 #include "tests/kit/check_results.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
@@ -50,6 +52,20 @@ TEST(Solve, AnArmInAnEmptyPlaneGoesStraight) {
         EXPECT_NEAR(result.solution->cost, std::sqrt(straight), 1e-9);
         EXPECT_NEAR(cost_lower_bound(problem).total, std::sqrt(straight), 1e-2);
     });
+}
+
+// The other planners came to 3.78 to 4.5 after the same work, two trees with straight shortcuts
+// alone to 3.86 to 4.22.
+TEST(Solve, AnArmComesNearTheBestPathKnown) {
+    constexpr double best_known = 3.737;
+    const Problem problem =
+        io::read_problem(test::testcase_file("bodies/arm-4-workshop.json")).problem;
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        const SolveResult result =
+            solve(problem, {.seed = seed, .time_limit = 600, .optimize = 0.5});
+        ASSERT_TRUE(result.solution.has_value());
+        EXPECT_LT(result.solution->cost, 1.01 * best_known) << "seed " << seed;
+    }
 }
 
 TEST(Solve, ProvesThatAPointIsLockedIn) {
