@@ -8,8 +8,9 @@ namespace asv::core {
 
 namespace {
 
-/// Searches in a row that fail before no more are tried.
-constexpr int max_failures = 5;
+/// Searches that fail, and from then on each may take so many times as long.
+constexpr int failures_to_grow = 5;
+constexpr double growth = 2;
 /// Microseconds that a search takes at least, whatever it counts: one that goes straight to the
 /// goal counts next to nothing, and could be tried for ever.
 constexpr double min_search_work = 50;
@@ -44,8 +45,7 @@ void Improvement::note_best() {
 }
 
 bool Improvement::finished() const {
-    return best_cost_ <= options_.good_enough || shortener_.work() >= end_of_work_ ||
-           options_.limits.expired();
+    return optimal() || shortener_.work() >= end_of_work_ || options_.limits.expired();
 }
 
 Configurations improve(Configurations path, PathShortener& shortener, const ImproveOptions& options,
@@ -53,10 +53,15 @@ Configurations improve(Configurations path, PathShortener& shortener, const Impr
     Improvement improvement(shortener, options);
     improvement.take(std::move(path));
     shortener.shorten(improvement, rng);
-    for (int failures = 0; options.another && failures < max_failures && !improvement.finished();) {
-        AnotherPath other = options.another(rng);
+    double patience = 1;
+    for (int failures = 0; options.another && !improvement.finished();) {
+        AnotherPath other = options.another(rng, patience);
         improvement.charge(std::max(other.work, min_search_work));
         failures = other.path.empty() ? failures + 1 : 0;
+        if (failures == failures_to_grow) {
+            failures = 0;
+            patience *= growth;
+        }
         if (other.path.empty()) continue;
         const Configurations earlier = improvement.best_path();
         improvement.take(std::move(other.path));

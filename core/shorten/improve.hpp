@@ -20,6 +20,9 @@ struct AnotherPath {
     double work = 0;
 };
 
+/// Looks for another path. `patience`: how many times as long as at first it may look.
+using PathFinder = std::function<AnotherPath(Rng& rng, double patience)>;
+
 struct ImproveOptions {
     /// Microseconds of a 2.8 GHz core, roughly, that the improvement may take. They are counted by
     /// what is done, not timed, so that the same seed gives the same path on every machine.
@@ -28,7 +31,7 @@ struct ImproveOptions {
     double good_enough = 0;
     /// Finds further paths, which may pass the obstacles on other sides; none: only the given one
     /// is shortened.
-    std::function<AnotherPath(Rng&)> another = {};
+    PathFinder another = {};
     Limits limits = {};           ///< end the improvement early
     CostObserver on_better = {};  ///< may be empty
 };
@@ -50,7 +53,9 @@ class Improvement {
     void keep(const Configurations& path);
     /// So much of the work was done elsewhere, microseconds.
     void charge(double work) { end_of_work_ -= work; }
-    /// Is the work spent, the time up, or the path as good as it gets?
+    /// Is the best path as good as it gets?
+    bool optimal() const { return best_cost_ <= options_.good_enough; }
+    /// Is the work spent, the time up, or the best path as good as it gets?
     bool finished() const;
 
   private:
@@ -81,7 +86,9 @@ class PathShortener {
 
 /// Shortens a path; once that gains nothing more, does the same with other paths, and crosses each
 /// with the best one (restart and shortcut: Luna, Şucan, Moll and Kavraki, 2013; hybridisation:
-/// Raveh, Enosh and Halperin, 2011). Returns the best path.
+/// Raveh, Enosh and Halperin, 2011). Where searches for other paths fail, they get more time. Ends
+/// before the work is spent or the time is up only with a path that is as good as it gets. Returns
+/// the best path.
 Configurations improve(Configurations path, PathShortener& shortener, const ImproveOptions& options,
                        Rng& rng);
 

@@ -27,6 +27,9 @@ struct SolveStatistics {
     double cost_of_search = 0;    ///< of the path that the search ended with, before any shortcut
     double cost_lower_bound = 0;  ///< no path costs less; 0 where there was no time for it
     std::size_t steps_lower_bound = 0;  ///< no path has fewer primitive steps; 0 where not known
+    /// The improvement had nothing left to gain: no path that keeps the planner's margins costs
+    /// less than this one by more than a share of 1e-5. False where that is not known.
+    bool optimal = false;
     std::size_t tree_nodes[2] = {0, 0};
     std::size_t iterations = 0;                       ///< of the search that found the path
     std::uint64_t state_checks = 0, edge_checks = 0;  ///< of all threads

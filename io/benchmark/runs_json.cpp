@@ -105,6 +105,7 @@ ordered_json run_json(const core::BenchmarkPlan& plan, const BenchmarkRun& run) 
             {"cost", value_or_null(solved, spent.cost)},
             {"cost_lower_bound", value_or_null(spent.cost_lower_bound > 0, spent.cost_lower_bound)},
             {"cost_ratio", value_or_null(ratio.has_value(), ratio.value_or(0))},
+            {"optimal", value_or_null(solved, spent.optimal)},
             {"primitive_steps", run.primitive_steps},
             {"primitive_steps_lower_bound",
              value_or_null(spent.steps_lower_bound > 0, spent.steps_lower_bound)},

@@ -30,6 +30,7 @@ void write_statistics(const std::filesystem::path& file, const RunStatistics& ru
         {"cost_of_search", if_solved(spent.cost_of_search)},
         {"cost", if_solved(spent.cost)},
         {"cost_lower_bound", spent.cost_lower_bound},
+        {"optimal", if_solved(spent.optimal)},
         {"primitive_steps", run.primitive_steps},
         {"primitive_steps_lower_bound", spent.steps_lower_bound},
         {"tree_nodes", spent.tree_nodes},

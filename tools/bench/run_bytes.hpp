@@ -85,6 +85,7 @@ void exchange(Archive& archive, Run& run) {
     for (auto* count :
          {&spent.steps_lower_bound, &spent.tree_nodes[0], &spent.tree_nodes[1], &spent.iterations})
         archive(*count);
+    archive(spent.optimal);
     archive(spent.state_checks);
     archive(spent.edge_checks);
     archive(spent.cost_history);

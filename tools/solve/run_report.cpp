@@ -119,6 +119,7 @@ void report(const SolveArguments& arguments, const core::SolveResult& result) {
     if (spent.cost_lower_bound > 0)
         std::cerr << ", at most " << spent.cost / spent.cost_lower_bound
                   << " times the least possible";
+    if (spent.optimal) std::cerr << " (nothing left to gain)";
     std::cerr << ", " << result.solution->path.size() - 1 << " steps";
     if (spent.steps_lower_bound > 0)
         std::cerr << " (any path has " << spent.steps_lower_bound << " or more)";

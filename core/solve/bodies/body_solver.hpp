@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -38,16 +39,26 @@ struct Attempt {
 struct Improved {
     Configurations path;
     ChecksSpent checks;
+    bool optimal = false;  ///< nothing was left to gain
 };
 
 /// How long and whereto a path is to be improved.
 struct ImprovementOrder {
-    double work = 0;              ///< microseconds of a 2.8 GHz core, counted; see ImproveOptions
-    bool other_paths = false;     ///< may search for other paths as well
-    Limits limits;                ///< of everything
-    Limits search_limits;         ///< of the search for each other path
+    double work = 0;           ///< microseconds of a 2.8 GHz core, counted; see ImproveOptions
+    bool other_paths = false;  ///< may search for other paths as well
+    Limits limits;             ///< of everything
+    /// Of the search for each other path; its iterations may grow, see PathFinder.
+    Limits search_limits;
     CostObserver on_better = {};  ///< is told the cost of each better path
 };
+
+/// The limits with so many times the iterations.
+inline Limits with_patience(Limits limits, double patience) {
+    constexpr double most = 1e18;
+    const double iterations = patience * static_cast<double>(limits.max_iterations);
+    limits.max_iterations = static_cast<std::size_t>(std::min(iterations, most));
+    return limits;
+}
 
 /// The stages of solving that depend on the body: its space, its searches, its improvement, its
 /// primitive steps, all in the coordinates of the problem that it is made for. Immutable once made,

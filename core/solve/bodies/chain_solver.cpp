@@ -1,5 +1,6 @@
 #include "core/shorten/chain_shortener.hpp"
 #include "core/solve/bodies/body_solver.hpp"
+#include "core/solve/bodies/least_cost.hpp"
 #include "core/solve/bodies/search_in.hpp"
 #include "core/solve/primitive_steps.hpp"
 #include "core/space/chain_world.hpp"
@@ -94,14 +95,17 @@ class ChainSolver : public BodySolver {
     Improved improve(const Configurations& path, const ImprovementOrder& order,
                      Rng& rng) const override {
         Improved improved;
-        const auto another = [&](Rng& draws) {
-            Attempt attempt = search(order.search_limits, draws, {}, 0);
+        const auto another = [&](Rng& draws, double patience) {
+            Attempt attempt = search(with_patience(order.search_limits, patience), draws, {}, 0);
             improved.checks += attempt.checks;
             return AnotherPath{std::move(attempt.search.path), search_work(attempt)};
         };
         ImproveOptions options{
             .work = order.work, .limits = order.limits, .on_better = order.on_better};
-        if (order.other_paths) options.another = another;
+        if (order.other_paths) {
+            options.another = another;
+            options.good_enough = nothing_to_gain_below(world_.problem, order.work);
+        }
 
         MotionChecker checker = world_.make_checker();
         const auto* sliding = std::get_if<AutoPlanner>(&planner_);
@@ -109,6 +113,7 @@ class ChainSolver : public BodySolver {
                                sliding ? sliding->steering : SlideOptions{});
         ChainShortener shortener(checker, world_.metric, steering);
         improved.path = core::improve(path, shortener, options, rng);
+        improved.optimal = cost(improved.path) <= options.good_enough;
         improved.checks += {checker.state_checks(), checker.motion_checks()};
         return improved;
     }

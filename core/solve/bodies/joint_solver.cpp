@@ -1,6 +1,7 @@
-#include "core/bounds/lower_bound.hpp"
 #include "core/shorten/joint_shortener.hpp"
 #include "core/solve/bodies/body_solver.hpp"
+#include "core/solve/bodies/least_cost.hpp"
+#include "core/solve/bodies/point_geodesic.hpp"
 #include "core/solve/bodies/search_in.hpp"
 #include "core/solve/primitive_steps.hpp"
 #include "core/space/joint_space.hpp"
@@ -33,19 +34,32 @@ Attempt run(const Chosen& planner, const JointWorld& world, const Limits& limits
 
 /// Microseconds that a search takes besides its checks.
 constexpr double search_overhead = 50;
-/// Nearer to the lower bound there is nothing to gain, in shares of it.
-constexpr double negligible = 1e-5;
+
+/// A path that was found without a search, with a tree of its way points alone.
+Attempt found_path(const JointWorld& world, const Configurations& path) {
+    Attempt attempt;
+    attempt.search.outcome = Outcome::solved;
+    attempt.search.path = path;
+    Tree tree(JointSpace(world).make_index());
+    const std::size_t d = world.dimension();
+    for (std::size_t i = 0; i < path.size() / d; ++i)
+        tree.add({path.data() + i * d, d}, i == 0 ? Tree::none : static_cast<std::uint32_t>(i - 1));
+    attempt.search.trees.push_back(std::move(tree));
+    return attempt;
+}
 
 class JointSolver : public BodySolver {
   public:
     JointSolver(const Problem& problem, const Planner& planner)
-        : planner_(planner), world_(problem) {}
+        : planner_(planner), world_(problem) {
+        if (std::holds_alternative<AutoPlanner>(planner) && problem.body_kind() == BodyKind::point)
+            geodesic_ = point_geodesic(world_);
+    }
 
     Attempt search(const Limits& limits, Rng& rng, const Observer& observer,
                    std::size_t /*racer*/) const override {
-        return std::visit(
-            [&](const auto& chosen) { return run(chosen, world_, limits, rng, observer); },
-            planner_);
+        if (!geodesic_.empty()) return found_path(world_, geodesic_);
+        return search_with(planner_, limits, rng, observer);
     }
 
     double cost(const Configurations& path) const override {
@@ -54,14 +68,22 @@ class JointSolver : public BodySolver {
 
     Improved improve(const Configurations& path, const ImprovementOrder& order,
                      Rng& rng) const override {
+        if (!geodesic_.empty()) return {geodesic_, {}, true};
         Improved improved;
-        const auto another = [&](Rng& draws) {
-            Attempt attempt = search(order.search_limits, draws, {}, 0);
+        // Two trees find a path soon, a roadmap, where it finds one, a shorter path.
+        const Planner roadmap = PrmRandomPlanner{};
+        const bool varied = std::holds_alternative<AutoPlanner>(planner_);
+        bool by_trees = false;
+        const auto another = [&](Rng& draws, double patience) {
+            const Planner& planner = varied && !by_trees ? roadmap : planner_;
+            const Limits limits = with_patience(order.search_limits, patience);
+            Attempt attempt = search_with(planner, limits, draws, {});
             improved.checks += attempt.checks;
+            by_trees = !by_trees && attempt.search.path.empty();
             return AnotherPath{std::move(attempt.search.path), search_work(attempt.checks)};
         };
         ImproveOptions options{.work = order.work,
-                               .good_enough = exact_lower_bound() * (1 + negligible),
+                               .good_enough = nothing_to_gain_below(world_.problem),
                                .limits = order.limits,
                                .on_better = order.on_better};
         if (order.other_paths) options.another = another;
@@ -69,6 +91,7 @@ class JointSolver : public BodySolver {
         JointSpace space(world_);
         JointShortener shortener(space);
         improved.path = core::improve(path, shortener, options, rng);
+        improved.optimal = cost(improved.path) <= options.good_enough;
         improved.checks += {space.state_checks(), space.motion_checks()};
         return improved;
     }
@@ -88,20 +111,21 @@ class JointSolver : public BodySolver {
     }
 
   private:
+    Attempt search_with(const Planner& planner, const Limits& limits, Rng& rng,
+                        const Observer& observer) const {
+        return std::visit(
+            [&](const auto& chosen) { return run(chosen, world_, limits, rng, observer); },
+            planner);
+    }
+
     double search_work(const ChecksSpent& checks) const {
         return search_overhead +
                microseconds(checks.state_checks, checks.edge_checks, world_.dimension());
     }
 
-    /// Of a path that has no use for the tolerance.
-    double exact_lower_bound() const {
-        Problem exact = world_.problem;
-        exact.requirements.tolerance = 0;
-        return cost_lower_bound(exact).total;
-    }
-
     const Planner& planner_;
     JointWorld world_;
+    Configurations geodesic_;  ///< the shortest path, where it is known without a search
 };
 
 }  // namespace

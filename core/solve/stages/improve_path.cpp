@@ -44,6 +44,9 @@ class PathImprovement {
         const std::lock_guard lock(mutex_);
         statistics_.state_checks += improved.checks.state_checks;
         statistics_.edge_checks += improved.checks.edge_checks;
+        statistics_.optimal = statistics_.optimal || improved.optimal;
+        // One is enough.
+        if (improved.optimal) stop_.request_stop();
         if (cost >= best_) return;
         best_ = cost;
         best_path_ = std::move(improved.path);

@@ -35,9 +35,14 @@ double closing_side(const Pose& pose) {
 
 namespace {
 
-/// Distance from the chain to a box; a point where there is one ASV.
+/// Distance from the chain to a box. Where there is one ASV, by how much the box may grow before it
+/// meets it, which is less than the distance where a corner is the nearest.
 double clearance(const Pose& pose, const Box& box) {
-    if (pose.x.size() == 1) return geometry::distance(Point{pose.x[0], pose.y[0]}, box);
+    if (pose.x.size() == 1) {
+        const double x = pose.x[0], y = pose.y[0];
+        return std::max(std::max(box.low.x - x, x - box.high.x),
+                        std::max(box.low.y - y, y - box.high.y));
+    }
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k + 1 < pose.x.size(); ++k)
         least = std::min(least,

@@ -1,6 +1,8 @@
 #include "core/shorten/improve.hpp"
 
+#include <cmath>
 #include <stop_token>
+#include <vector>
 
 #include "core/shorten/chain_shortener.hpp"
 #include "core/space/motion_cost.hpp"
@@ -82,7 +84,7 @@ TEST(Improve, AShorterPathOfAnotherSearchIsTaken) {
     Wanderer wanderer(rng, 7, 4);
     const Configurations shorter = improved(wanderer, wanderer.path, {.work = 1e6}, rng);
     int searches = 0;
-    const auto another = [&](Rng&) {
+    const auto another = [&](Rng&, double) {
         return ++searches == 1 ? AnotherPath{shorter, 0} : AnotherPath{};
     };
     MotionCost cost(wanderer.world.chain);
@@ -92,11 +94,32 @@ TEST(Improve, AShorterPathOfAnotherSearchIsTaken) {
     EXPECT_LE(cost.path(best), cost.path(shorter));
 }
 
+TEST(Improve, SearchesThatFailGetMoreTimeUntilTheWorkIsSpent) {
+    Rng rng(3);
+    Wanderer wanderer(rng, 7, 4);
+    std::vector<double> patience;
+    const auto another = [&](Rng&, double longer) {
+        patience.push_back(longer);
+        return AnotherPath{{}, 1e3 * longer};
+    };
+    ChainShortener shortener(wanderer.checker, wanderer.world.metric, wanderer.steering);
+    const double work = 1e6, before = shortener.work();
+    improve(wanderer.path, shortener, {.work = work, .another = another}, rng);
+    ASSERT_GT(patience.size(), 20U);
+    double spent = shortener.work() - before;
+    for (std::size_t i = 0; i < patience.size(); ++i) {
+        EXPECT_EQ(patience[i], std::exp2(i / 5)) << "search " << i;
+        EXPECT_LT(spent, work) << "search " << i;
+        spent += 1e3 * patience[i];
+    }
+    EXPECT_GE(spent, work) << "it gave up with work left";
+}
+
 TEST(Improve, SearchesThatCountNothingComeToAnEnd) {
     Rng rng(3);
     Wanderer wanderer(rng, 7, 4);
     std::size_t searches = 0;
-    const auto another = [&](Rng&) {
+    const auto another = [&](Rng&, double) {
         ++searches;
         return AnotherPath{wanderer.path, 0};
     };

@@ -49,6 +49,8 @@ void bind_statistics(py::module_& module) {
                       "No path costs less; 0 where there was no time for it.")
         .def_readonly("steps_lower_bound", &SolveStatistics::steps_lower_bound,
                       "No path has fewer primitive steps; 0 where not known.")
+        .def_readonly("optimal", &SolveStatistics::optimal,
+                      "The improvement had nothing left to gain.")
         .def_property_readonly(
             "tree_nodes",
             [](const SolveStatistics& s) {
