@@ -24,3 +24,156 @@
 // Latest wins: a plan that waits is given up ("interrupted") when another one of the same slot arrives, and one that is
 // being improved in slices (progress: true) ends with the best path it has.
 "use strict";
+
+// In a browser this is a worker, under node (in tests) a worker thread.
+const inNode = typeof process === "object" && typeof importScripts === "undefined";
+const port = inNode ? require("node:worker_threads").parentPort : self;
+
+/** The engine's bytes: those that tools/playground/build.mjs has put before this text, or the file beside it. */
+async function engineBytes() {
+  if (inNode) return require("node:fs").readFileSync(`${__dirname}/engine.wasm`);
+  if (typeof embeddedEngine === "undefined") return (await fetch("engine.wasm")).arrayBuffer();
+  const compressed = Uint8Array.from(atob(embeddedEngine), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([compressed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).arrayBuffer();
+}
+
+/** createEngine of engine.js, which may stand before this text as well. */
+function engineFactory() {
+  if (inNode) return require("./engine.js");
+  if (typeof createEngine === "undefined") importScripts("engine.js");
+  return createEngine;
+}
+
+/** Sets a member by its path, "trees.start.points". */
+function setMember(object, path, value) {
+  const names = path.split(".");
+  const last = names.pop();
+  for (const name of names) object = object[name] ??= {};
+  object[last] = value;
+}
+
+/** One call of the engine: the answer with its arrays as members. */
+function call(engine, request, states) {
+  const text = JSON.stringify(request);
+  const size = engine.lengthBytesUTF8(text) + 1;
+  const json = engine._malloc(size);
+  engine.stringToUTF8(text, json, size);
+  const count = states ? states.length : 0;
+  const numbers = engine._malloc(8 * count + 8);
+  if (states) engine.HEAPF64.set(states, numbers / 8);
+  const answer = engine._asv_call(json, numbers, count);
+  engine._free(json);
+  engine._free(numbers);
+  const { arrays = [], ...result } = JSON.parse(engine.UTF8ToString(engine._asv_text(answer)));
+  arrays.forEach(([member, length], index) => {
+    const begin = engine._asv_array(answer, index) / 8;
+    const array = engine.HEAPF64.slice(begin, begin + length);
+    setMember(result, member, member.endsWith("parents") ? Int32Array.from(array) : array);
+  });
+  engine._asv_free(answer);
+  return result;
+}
+
+/** All buffers in an answer, which are given away with it. */
+function buffersOf(value, found = []) {
+  if (ArrayBuffer.isView(value)) found.push(value.buffer);
+  else if (value && typeof value === "object") Object.values(value).forEach((member) => buffersOf(member, found));
+  return found;
+}
+
+function send(message) {
+  port.postMessage(message, buffersOf(message));
+}
+
+const interrupted = {
+  status: "interrupted", reason: "a newer message took its place", cost: null, bound: null,
+  seconds: { first: 0, total: 0, check: 0 }, states: null, valid: false, violation: null, history: [], trees: null,
+};
+
+/** Messages in order; of plans that wait in one slot the newest alone. */
+const queue = [];
+
+function enqueue(message) {
+  if (message.kind === "plan" && message.slot !== undefined) {
+    const older = queue.findIndex((waiting) => waiting.kind === "plan" && waiting.slot === message.slot);
+    if (older >= 0) send({ id: queue.splice(older, 1)[0].id, kind: "result", ...interrupted });
+  }
+  queue.push(message);
+  wake();
+}
+
+let wake = () => {};
+
+/** Lets messages that have come in meanwhile enter the queue. */
+function breathe() {
+  return new Promise((resolve) => {
+    const channel = new MessageChannel();
+    channel.port1.onmessage = () => {
+      channel.port1.close();
+      resolve();
+    };
+    channel.port2.postMessage(null);
+  });
+}
+
+// Seconds of improvement in one slice, between two looks at the queue.
+const sliceOfWork = 0.1;
+
+function isOutdated(message) {
+  return queue.some((waiting) => waiting.kind === "plan" && waiting.slot === message.slot);
+}
+
+/** A plan in slices: the first path at once, then improvement as long as it was asked for and nothing newer waits. */
+async function planInSlices(engine, message) {
+  const begin = performance.now();
+  const secondsLeft = () => (message.timeLimit ?? 60) - (performance.now() - begin) / 1000;
+  const request = { ...message, warm: undefined, optimize: 0 };
+  let best = call(engine, request, message.warm);
+  let seed = message.seed ?? 1;
+  const history = best.history ?? [];
+  for (let work = message.optimize ?? 0; work > 0 && best.states && secondsLeft() > 0; work -= sliceOfWork) {
+    send({ id: message.id, kind: "progress", cost: best.cost, states: best.states.slice() });
+    await breathe();
+    if (isOutdated(message)) break;
+    const slice = { optimize: Math.min(work, sliceOfWork), timeLimit: secondsLeft(), seed: ++seed, trees: false };
+    const better = call(engine, { ...request, ...slice }, best.states);
+    if (!better.states || better.cost >= best.cost) continue;
+    history.push([(performance.now() - begin) / 1000, better.cost]);
+    best = { ...better, trees: best.trees, seconds: { ...better.seconds, first: best.seconds.first }, history };
+  }
+  if (best.seconds) best.seconds.total = (performance.now() - begin) / 1000;
+  return best;
+}
+
+async function answer(engine, message) {
+  if (message.kind === "plan" && message.progress) return planInSlices(engine, message);
+  const { states, warm, ...request } = message;
+  return call(engine, request, states ?? warm);
+}
+
+async function serve(engine) {
+  for (;;) {
+    if (queue.length === 0) await new Promise((resolve) => (wake = resolve));
+    await breathe();
+    const message = queue.shift();
+    if (!message) continue;
+    try {
+      const result = await answer(engine, message);
+      if (result.error) send({ id: message.id, kind: "error", ...result.error });
+      else send({ id: message.id, kind: "result", ...result });
+    } catch (failure) {
+      send({ id: message.id, kind: "error", message: String(failure), line: null, column: null });
+    }
+  }
+}
+
+async function start() {
+  if (inNode) port.on("message", enqueue);
+  else port.onmessage = (event) => enqueue(event.data);
+  const engine = await engineFactory()({ wasmBinary: await engineBytes() });
+  send({ kind: "ready", version: engine.UTF8ToString(engine._asv_version()), simd: true });
+  await serve(engine);
+}
+
+start();

@@ -93,6 +93,10 @@ EMSCRIPTEN_KEEPALIVE const double* asv_array(const Answer* answer, std::size_t i
     return answer->arrays[index].second.data();
 }
 
+EMSCRIPTEN_KEEPALIVE const char* asv_version() {
+    return ASV_VERSION;
+}
+
 EMSCRIPTEN_KEEPALIVE void asv_free(const Answer* answer) {
     delete answer;
 }

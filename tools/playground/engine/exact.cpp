@@ -1,4 +1,5 @@
-// The exact predicates without CGAL, whose interval arithmetic needs rounding modes, which WebAssembly lacks.
+// The exact predicates without CGAL, whose interval arithmetic needs rounding modes, which
+// WebAssembly lacks.
 
 #include "geometry/predicates/exact.hpp"
 

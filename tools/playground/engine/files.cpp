@@ -63,8 +63,7 @@ Answer read(const Request& request) {
     if (given != request.json.end() && given->is_object() && begins_like_a_solution(text)) {
         const core::Problem problem = problem_of(request);
         answer.json["problem"] = *given;
-        answer.add("states",
-                   numbers_of(io::parse_solution(text, problem.asv_count(), name).path));
+        answer.add("states", numbers_of(io::parse_solution(text, problem.asv_count(), name).path));
     } else {
         const io::ProblemFile file = io::is_scenario(text) ? io::parse_scenario(text, name, "")
                                                            : io::parse_problem(text, name);

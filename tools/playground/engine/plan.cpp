@@ -72,8 +72,7 @@ void add_trees(const core::SolveResult& result, Answer& answer) {
 
 Json history_of(const core::SolveStatistics& statistics) {
     Json history = Json::array();
-    for (const auto& [seconds, cost] : statistics.cost_history)
-        history.push_back({seconds, cost});
+    for (const auto& [seconds, cost] : statistics.cost_history) history.push_back({seconds, cost});
     return history;
 }
 
@@ -82,9 +81,9 @@ Json history_of(const core::SolveStatistics& statistics) {
 Answer plan(const Request& request) {
     const core::Problem problem = problem_of(request);
     Answer answer;
-    answer.json = {{"status", "invalid ends"}, {"reason", ""},   {"cost", nullptr},
-                   {"bound", nullptr},         {"seconds", {}},  {"valid", false},
-                   {"violation", nullptr},     {"history", {}},  {"trees", nullptr}};
+    answer.json = {{"status", "invalid ends"}, {"reason", ""},  {"cost", nullptr},
+                   {"bound", nullptr},         {"seconds", {}}, {"valid", false},
+                   {"violation", nullptr},     {"history", {}}, {"trees", nullptr}};
     if (const auto invalid = core::invalid_ends(problem); !invalid.empty()) {
         answer.json["reason"] = core::InvalidEnds(invalid).what();
         return answer;
@@ -97,9 +96,8 @@ Answer plan(const Request& request) {
     const core::SolveStatistics& statistics = result.statistics;
     answer.json["status"] = status_of(result);
     answer.json["reason"] = result.reason;
-    answer.json["seconds"] = {{"first", statistics.time_to_first},
-                              {"total", statistics.time_total},
-                              {"check", 0.0}};
+    answer.json["seconds"] = {
+        {"first", statistics.time_to_first}, {"total", statistics.time_total}, {"check", 0.0}};
     answer.json["history"] = history_of(statistics);
     if (statistics.cost_lower_bound > 0) answer.json["bound"] = statistics.cost_lower_bound;
     if (result.solution) {

@@ -9,9 +9,9 @@ namespace {
 
 Json to_json(const core::Setting& setting) {
     const core::SettingValue& value = setting.value;
-    Json json = {{"key", setting.name},   {"meaning", setting.meaning}, {"unit", value.unit},
-                 {"min", value.low},      {"max", value.high},          {"whole", value.whole},
-                 {"words", value.words},  {"switch", value.is_switch()}};
+    Json json = {{"key", setting.name},  {"meaning", setting.meaning}, {"unit", value.unit},
+                 {"min", value.low},     {"max", value.high},          {"whole", value.whole},
+                 {"words", value.words}, {"switch", value.is_switch()}};
     json["default"] = core::describe_value(setting);
     return json;
 }

@@ -18,6 +18,10 @@ Json to_json(const core::Box& box) {
     return {to_json(box.low), to_json(box.high)};
 }
 
+Json to_json(const core::JointRange& range) {
+    return range.wraps ? Json("wrap") : Json{range.low, range.high};
+}
+
 template <class Element>
 Json array_of(const std::vector<Element>& elements) {
     Json array = Json::array();
@@ -25,18 +29,16 @@ Json array_of(const std::vector<Element>& elements) {
     return array;
 }
 
-Json to_json(const core::JointRange& range) {
-    return range.wraps ? Json("wrap") : Json{range.low, range.high};
-}
-
 Json body_of(const core::Problem& problem) {
     switch (problem.body_kind()) {
-        case core::BodyKind::point: return {{"kind", "point"}};
+        case core::BodyKind::point:
+            return {{"kind", "point"}};
         case core::BodyKind::chain:
             return {{"kind", "chain"},
                     {"broom_length", problem.requirements.broom_length},
                     {"minimum_area_factor", problem.requirements.area_radius_per_broom}};
-        case core::BodyKind::arm: break;
+        case core::BodyKind::arm:
+            break;
     }
     const core::PlanarArm& arm = *problem.arm();
     const bool relative = arm.angles == core::AngleReference::previous_link;

@@ -1,4 +1,5 @@
-// Reads and writes double as <charconv> has it, by the C library, whose conversions round correctly.
+// Reads and writes double as <charconv> has it, by the C library, whose conversions round
+// correctly.
 
 #include <cctype>
 #include <cerrno>
@@ -72,7 +73,8 @@ string shortest_scientific(double value) {
 string fixed_of(const string& digits, int exponent) {
     const auto count = static_cast<int>(digits.size());
     if (exponent < 0) return "0." + string(static_cast<size_t>(-exponent - 1), '0') + digits;
-    if (exponent >= count - 1) return digits + string(static_cast<size_t>(exponent - count + 1), '0');
+    if (exponent >= count - 1)
+        return digits + string(static_cast<size_t>(exponent - count + 1), '0');
     const auto whole = static_cast<size_t>(exponent + 1);
     return digits.substr(0, whole) + '.' + digits.substr(whole);
 }
