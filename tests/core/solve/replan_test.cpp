@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/model/cost.hpp"
 #include "core/validation/validate.hpp"
 #include "io/problem/problem_file.hpp"
 #include "tests/kit/chains/problems.hpp"
