@@ -1,6 +1,7 @@
 #include "core/shorten/joint_shortener.hpp"
 #include "core/solve/bodies/body_solver.hpp"
 #include "core/solve/bodies/least_cost.hpp"
+#include "core/solve/bodies/mend.hpp"
 #include "core/solve/bodies/point_geodesic.hpp"
 #include "core/solve/bodies/search_in.hpp"
 #include "core/solve/primitive_steps.hpp"
@@ -11,23 +12,23 @@ namespace asv::core {
 
 namespace {
 
-Attempt run(const AutoPlanner&, const JointWorld& world, const Limits& limits, Rng& rng,
-            const Observer& observer) {
+Attempt run(const AutoPlanner&, const JointWorld& world, const Query& query, const Limits& limits,
+            Rng& rng, const Observer& observer) {
     JointSpace space(world);
     Attempt attempt;
-    attempt.search = rrt_connect(space, {world.start, world.goal}, {}, limits, rng, observer);
+    attempt.search = rrt_connect(space, query, {}, limits, rng, observer);
     attempt.checks = {space.state_checks(), space.motion_checks()};
     return attempt;
 }
 
 /// Of all other planners, which take their samples from a sampler.
 template <class Chosen>
-Attempt run(const Chosen& planner, const JointWorld& world, const Limits& limits, Rng& rng,
-            const Observer& observer) {
+Attempt run(const Chosen& planner, const JointWorld& world, const Query& query,
+            const Limits& limits, Rng& rng, const Observer& observer) {
     const auto sampler = sampler_for(JointSpace(world), planner.sampler);
     SampledBy<JointSpace> space(sampler, world);
     Attempt attempt;
-    attempt.search = search_in(space, planner, {world.start, world.goal}, limits, rng, observer);
+    attempt.search = search_in(space, planner, query, limits, rng, observer);
     attempt.checks = {space.state_checks(), space.motion_checks()};
     return attempt;
 }
@@ -59,7 +60,23 @@ class JointSolver : public BodySolver {
     Attempt search(const Limits& limits, Rng& rng, const Observer& observer,
                    std::size_t /*racer*/) const override {
         if (!geodesic_.empty()) return found_path(world_, geodesic_);
-        return search_with(planner_, limits, rng, observer);
+        return search_with(planner_, ends(), limits, rng, observer);
+    }
+
+    Attempt mend(const Path& last, const Limits& limits, Rng& rng) const override {
+        if (!geodesic_.empty()) return found_path(world_, geodesic_);
+        JointSpace space(world_);
+        Attempt attempt;
+        const auto search = [&](const Query& query) {
+            Attempt joint = search_with(planner_, query, limits, rng, {});
+            attempt.checks += joint.checks;
+            return std::move(joint.search);
+        };
+        const auto valid = [&](auto from, auto to) { return space.motion_valid(from, to); };
+        PathMender mender(space, valid, search);
+        attempt.search = mender.mend(ends(), world_.rows_of(last));
+        attempt.checks += {space.state_checks(), space.motion_checks()};
+        return attempt;
     }
 
     double cost(const Configurations& path) const override {
@@ -77,7 +94,7 @@ class JointSolver : public BodySolver {
         const auto another = [&](Rng& draws, double patience) {
             const Planner& planner = varied && !by_trees ? roadmap : planner_;
             const Limits limits = with_patience(order.search_limits, patience);
-            Attempt attempt = search_with(planner, limits, draws, {});
+            Attempt attempt = search_with(planner, ends(), limits, draws, {});
             improved.checks += attempt.checks;
             by_trees = !by_trees && attempt.search.path.empty();
             return AnotherPath{std::move(attempt.search.path), search_work(attempt.checks)};
@@ -111,10 +128,12 @@ class JointSolver : public BodySolver {
     }
 
   private:
-    Attempt search_with(const Planner& planner, const Limits& limits, Rng& rng,
+    Query ends() const { return {world_.start, world_.goal}; }
+
+    Attempt search_with(const Planner& planner, const Query& query, const Limits& limits, Rng& rng,
                         const Observer& observer) const {
         return std::visit(
-            [&](const auto& chosen) { return run(chosen, world_, limits, rng, observer); },
+            [&](const auto& chosen) { return run(chosen, world_, query, limits, rng, observer); },
             planner);
     }
 
