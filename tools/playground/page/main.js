@@ -1,22 +1,22 @@
-// Starts the playground: joins the model, the engine, the editor and the view.
+// Starts the page: the playground, or one picture of a lesson where the address asks for it.
 
-import { stage, story, shown as looks, watchStage } from "player";
+import { shown as looks, stage, story, watchStage } from "player";
 import { examples } from "examples";
 import { Editor } from "./edit/editor.js";
-import { paintHandles, paintMark } from "./edit/handles.js";
+import { hit, paintHandles, paintMark, pixelsOf } from "./edit/handles.js";
 import { Inspector } from "./edit/inspector.js";
-import { Keys, nameOf } from "./edit/keys.js";
+import { Keys } from "./edit/keys.js";
 import { Marks } from "./edit/marks.js";
-import { Files } from "./files/files.js";
-import { toHash, wishesOf } from "./files/share.js";
-import { boundsOf, removeBox } from "./model/edits.js";
+import { wishesOf } from "./files/share.js";
+import { boundsOf } from "./model/edits.js";
 import { Model } from "./model/model.js";
 import { Engine } from "./plan/engine.js";
-import { Planning } from "./plan/planning.js";
 import { loadWorker } from "./plan/worker_source.js";
+import { startPlayground } from "./playground.js";
+import { startLesson } from "./show/lesson.js";
 import { announce, notice } from "./show/notice.js";
 import { watchPlayback } from "./show/playback.js";
-import { writeVerdict, writeViolations } from "./show/verdict.js";
+import { writeViolations } from "./show/verdict.js";
 import { makePlots, View } from "./show/view.js";
 
 const by = (id) => document.getElementById(id);
@@ -24,36 +24,23 @@ const by = (id) => document.getElementById(id);
 const firstExample = "7ASV";
 const gridShares = [0, 0.01, 0.02, 0.05];
 
-const model = new Model();
-const startWorker = await loadWorker();
-const engine = new Engine(startWorker);
-const view = new View();
-const marks = new Marks(engine, (lines) => {
-  writeViolations(lines);
-  view.paintEdit();
-});
-
-/** Shows what planning has: one problem with its own path, or with none. */
-function present(shown, done = false) {
-  const headline = writeVerdict(shown, done);
-  if (shown.state !== "planning") announce(headline);
-  view.tell(shown.problem, shown.state === "solved" ? shown.answer.states : null);
-  if (shown.state === "invalid ends") marks.look(shown.problem);
-  else if (!editor.drag) marks.look(null);
-  if (shown.state === "solved" && !editor.drag) measure(shown);
+/** What every part of the page works with. */
+async function makeParts() {
+  const startWorker = await loadWorker();
+  const [model, engine, view] = [new Model(), new Engine(startWorker), new View()];
+  const marks = new Marks(engine, (lines) => {
+    writeViolations(lines);
+    view.paintEdit();
+  });
+  const editor = new Editor(model, (end, wished) => marks.look(wished, [end]));
+  const keys = new Keys(model, editor, announce);
+  view.extra.push((context) => paintHandles(context, model.selection),
+                  (context) => marks.marks.forEach((mark) => paintMark(context, mark)));
+  model.onChange(() => view.paintEdit());
+  return { startWorker, model, engine, view, marks, editor, keys };
 }
 
-/** Asks for the measures of the path on show, unless another one has come since. */
-async function measure({ problem, version, answer }) {
-  const measures = await engine.ask("profile", { problem, states: answer.states.slice() });
-  if (planning.shown.version === version && planning.shown.answer === answer && measures.cost) view.measure(measures);
-}
-
-const planning = new Planning(engine, model, present);
-const editor = new Editor(model, (end, wished) => marks.look(wished, [end]));
-const keys = new Keys(model, editor, announce);
-
-function watchTools() {
+function watchTools({ model, view, editor, keys }) {
   by("draw").addEventListener("click", () => editor.setDrawing(!editor.drawing));
   by("delete").addEventListener("click", () => keys.remove());
   by("undo").addEventListener("click", () => model.undo());
@@ -69,30 +56,34 @@ function watchTools() {
       view.paint({ ground: true });
     });
   }
-  by("share").addEventListener("click", share);
+  // Two clicks on a box or a body are no wish to zoom.
+  stage.addEventListener("dblclick", (event) => {
+    if (story.bounds && hit(...pixelsOf(event, stage), 10, model.selection)) event.stopImmediatePropagation();
+  }, { capture: true });
 }
 
-async function share() {
-  const address = new URL(location.href);
-  address.hash = await toHash(model.problem);
-  by("link").value = address.href;
-  history.replaceState(null, "", address.hash);
-  try {
-    await navigator.clipboard.writeText(address.href);
-    notice("The link is copied.");
-  } catch {
-    by("link").select(); // a page from disk may not write to the clipboard
-    notice("The link stands in its field, ready to be copied.");
-  }
-}
-
-async function openExample(name) {
+async function openExample({ engine, model }, name) {
   const example = examples.find((candidate) => candidate.name === name);
   const { problem } = await engine.ask("read", { name: example.file, text: example.text });
   model.open(problem, name);
 }
 
-async function fillLists() {
+/** The problem that the address holds or names, or the first example. */
+async function openWished(parts) {
+  try {
+    const { problem, example } = await wishesOf(location.hash);
+    if (problem) {
+      await parts.engine.ask("check", { problem });
+      return parts.model.open(problem, "shared");
+    }
+    if (examples.some(({ name }) => name === example)) return openExample(parts, example);
+  } catch (error) {
+    notice(`The link holds no problem: ${error.message}`, true);
+  }
+  return openExample(parts, firstExample);
+}
+
+function fillExamples(parts) {
   for (const { group, name } of examples) {
     let place = [...by("example").children].find((child) => child.label === group);
     if (!place) {
@@ -102,52 +93,26 @@ async function fillLists() {
     }
     place.append(new Option(name, name));
   }
-  by("example").value = firstExample;
-  by("example").addEventListener("change", () => openExample(by("example").value));
-  const { planners } = await engine.ask("planners");
-  for (const { name, summary } of planners) {
-    const option = new Option(name, name);
-    option.title = summary;
-    by("planner").append(option);
-  }
-  by("planner").value = "auto";
-  by("planner").addEventListener("change", () => planning.restart(by("planner").value));
-  return planners;
-}
-
-/** The problem that the address holds, or the first example. */
-async function openFirst() {
-  try {
-    const { problem } = await wishesOf(location.hash);
-    if (problem) {
-      await engine.ask("check", { problem });
-      return model.open(problem, "shared");
-    }
-  } catch (error) {
-    notice(`The link holds no problem: ${error.message}`, true);
-  }
-  await openExample(firstExample);
+  by("example").addEventListener("change", () => openExample(parts, by("example").value));
+  parts.model.onChange(({ name }) => { by("example").value = examples.some((example) => example.name === name) ? name : ""; });
 }
 
 async function start() {
+  const parts = await makeParts();
   makePlots();
-  view.extra.push((context) => model.problem && story.start && paintHandles(context, model.selection),
-                  (context) => marks.marks.forEach((mark) => paintMark(context, mark)));
   watchStage();
-  watchTools();
-  new Inspector(model);
-  watchPlayback({ show: () => view.paint(), announce: (step, last) => announce(`Step ${step} of ${last}`) });
-  model.onChange(() => view.paintEdit());
-  new Files(engine, model, {
-    path: () => (planning.shown.state === "solved" ? planning.shown.answer.states : null),
-    showPath: () => {}, say: notice,
-  });
-  await engine.ready;
-  await openFirst();
-  view.watch();
-  await fillLists();
+  watchTools(parts);
+  new Inspector(parts.model);
+  fillExamples(parts);
+  watchPlayback({ show: () => parts.view.paint(), announce: (step, last) => announce(`Step ${step} of ${last}`) });
+  await parts.engine.whenReady();
+  const wishes = await wishesOf(location.hash).catch(() => ({}));
+  const planning = wishes.lesson ? startLesson(parts, wishes) : startPlayground(parts);
+  // For tests, and for the curious: the parts that the page is made of.
+  window.playground = { ...parts, planning };
+  await openWished(parts);
+  parts.view.watch();
+  window.addEventListener("hashchange", () => openWished(parts));
 }
 
-window.addEventListener("hashchange", openFirst);
-window.playground = { model, planning, engine, view, editor };
 start().catch((error) => notice(`The playground does not start: ${error.message}`, true));

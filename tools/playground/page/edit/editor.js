@@ -18,13 +18,6 @@ export class Editor {
     for (const end of ["pointerup", "pointercancel", "lostpointercapture"]) {
       stage.addEventListener(end, (event) => this.up(event), { capture: true });
     }
-    // A finger on a handle must not scroll the page.
-    stage.addEventListener("touchstart", (event) => {
-      if (this.drag) event.preventDefault();
-    }, { passive: false });
-    stage.addEventListener("touchmove", (event) => {
-      if (this.drag) event.preventDefault();
-    }, { passive: false });
   }
 
   snap(value) {

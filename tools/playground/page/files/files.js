@@ -37,14 +37,20 @@ export class Files {
       const { problem } = await this.engine.ask("read", { name, text });
       this.model.open(problem, name.replace(/\.[^.]*$/, ""));
       this.say(`${name} is opened.`);
-    } catch (error) {
-      try {
-        const { states } = await this.engine.ask("read", { name, text, problem: this.model.problem });
-        if (!states) throw error;
-        await this.showPath(states, name);
-      } catch {
-        this.say(`${name}${placeOf(error)}: ${error.message}`, true);
-      }
+    } catch (noProblem) {
+      await this.openSolution(name, text, noProblem);
+    }
+  }
+
+  async openSolution(name, text, noProblem) {
+    const { problem } = this.model;
+    const { states } = await this.engine.ask("read", { name, text, problem }).catch(() => ({ states: null }));
+    if (!states) return this.say(`${name}${placeOf(noProblem)}: ${noProblem.message}`, true);
+    try {
+      await this.showPath(states);
+      return this.say(`The path of ${name} is valid, and shown.`);
+    } catch (invalid) {
+      return this.say(`The path of ${name} is not valid here: ${invalid.message}`, true);
     }
   }
 

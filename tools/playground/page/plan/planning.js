@@ -71,6 +71,19 @@ export class Planning {
     this.changed();
   }
 
+  /** A path from a file: shown if it is valid for the problem, and improved from there. Throws where it is not. */
+  async offer(states) {
+    const { problem, version } = this.model;
+    const { valid, checks, cost } = await this.engine.ask("validate", { problem, states: states.slice() });
+    if (!valid) throw new Error(checks.filter(({ ok }) => !ok).map(({ name, text }) => `${name}: ${text}`).join("; "));
+    if (version !== this.version) return;
+    const bound = this.shown.answer?.bound ?? null;
+    this.best = { states, columns: columnsOf(problem) };
+    [this.vain, this.done] = [0, false];
+    this.show({ problem, version, state: "solved", answer: { cost, bound, states, seconds: null } });
+    this.pump();
+  }
+
   /** Asks for one plan after the other until there is nothing more to gain. */
   async pump() {
     if (this.busy) return;

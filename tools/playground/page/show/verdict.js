@@ -28,12 +28,12 @@ export function verdictOf({ state, answer }, done) {
   return { headline, tone: state === "planning" ? "" : "bad", sentence: sentence || answer?.reason || "" };
 }
 
-/** Writes it; the read-outs of cost and bound are empty where there is no path. */
-export function writeVerdict(shown, done) {
+/** Writes it, with a caption of what is drawn; the read-outs of cost and bound are empty where there is no path. */
+export function writeVerdict(shown, done, caption) {
   const { headline, tone, sentence } = verdictOf(shown, done);
   put("verdict", headline);
   by("verdict").className = tone;
-  put("reason", sentence);
+  put("reason", [sentence, caption].filter(Boolean).join(" "));
   document.body.dataset.path = shown.state === "solved" ? "valid" : "none";
   document.body.dataset.state = shown.state;
   const solved = shown.state === "solved" ? shown.answer : null;

@@ -43,7 +43,7 @@ function costsOf(states, columns) {
 }
 
 /** The parts of the story that come from the problem alone. */
-function problemStory(problem) {
+export function problemStory(problem) {
   const count = columnsOf(problem) / 2;
   return {
     body: problem.body.kind, asvCount: count, bounds: windowOf(problem), minimumArea: minimumArea(problem.body, count),
@@ -63,6 +63,7 @@ export function makePlots() {
 export class View {
   constructor() {
     this.extra = []; // painters of the layer above: handles, marks of what is wrong
+    this.trees = []; // of one planner, in a lesson
     story.states = 0;
   }
 
@@ -70,7 +71,7 @@ export class View {
   tell(problem, states) {
     const before = story.states;
     const windowBefore = String(story.bounds);
-    Object.assign(story, problemStory(problem));
+    Object.assign(story, problemStory(problem), { trees: this.trees });
     const columns = columnsOf(problem);
     story.states = states ? states.length / columns : 0;
     story.positions = states ?? new Float64Array(0);
