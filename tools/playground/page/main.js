@@ -71,7 +71,7 @@ async function openExample({ engine, model }, name) {
 /** The problem that the address holds or names, or the first example. */
 async function openWished(parts) {
   try {
-    const { problem, example } = await wishesOf(location.hash);
+    const { problem, example } = await wishesOf(location);
     if (problem) {
       await parts.engine.ask("check", { problem });
       return parts.model.open(problem, "shared");
@@ -106,12 +106,12 @@ async function start() {
   fillExamples(parts);
   watchPlayback({ show: () => parts.view.paint(), announce: (step, last) => announce(`Step ${step} of ${last}`) });
   await parts.engine.whenReady();
-  const wishes = await wishesOf(location.hash).catch(() => ({}));
+  const wishes = await wishesOf(location).catch(() => ({}));
   const planning = wishes.lesson ? startLesson(parts, wishes) : startPlayground(parts);
-  // For tests, and for the curious: the parts that the page is made of.
-  window.playground = { ...parts, planning };
   await openWished(parts);
   parts.view.watch();
+  // For tests, and for the curious: the parts that the page is made of.
+  window.playground = { ...parts, planning };
   window.addEventListener("hashchange", () => openWished(parts));
 }
 

@@ -21,7 +21,8 @@ function presenter({ engine, view, editor, marks }) {
     if (planning.shown === shown && measures.cost) view.measure(measures);
   }
 
-  return (planning, shown, done) => {
+  const present = (planning, shown, done) => {
+    view.hurried = Boolean(editor.drag);
     const solved = shown.state === "solved";
     why = shown.state === "infeasible" ? whyOf(shown.problem) : null;
     const headline = writeVerdict(shown, done, captionOf(why));
@@ -32,6 +33,14 @@ function presenter({ engine, view, editor, marks }) {
     else if (!editor.drag) marks.look(null);
     if (solved && !editor.drag) measure(planning, shown);
   };
+  /** The end of a drag: what was left out in the hurry is shown. */
+  const settle = (planning) => {
+    if (editor.drag || !view.hurried) return;
+    view.hurried = false;
+    view.paint({ ground: true });
+    if (planning.shown.state === "solved") measure(planning, planning.shown);
+  };
+  return { present, settle };
 }
 
 async function share(model) {
@@ -59,8 +68,9 @@ async function fillPlanners(engine, planning) {
 /** Returns the live loop. */
 export function startPlayground(parts) {
   const { engine, model, startWorker } = parts;
-  const present = presenter(parts);
+  const { present, settle } = presenter(parts);
   const planning = new Planning(engine, model, (shown, done = false) => present(planning, shown, done));
+  model.onChange(() => settle(planning));
   by("share").addEventListener("click", () => share(model));
   new Files(engine, model, {
     path: () => (planning.shown.state === "solved" ? planning.shown.answer.states : null),

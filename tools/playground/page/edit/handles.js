@@ -141,11 +141,13 @@ export function paintMark(context, { points, violation }) {
 /** Sizes for keys and snapping: a share of the field. */
 export const keyStep = (grid) => grid || fieldSide() / 100;
 
+/** Where an event is in the stage, in pixels. */
 export const pixelsOf = (event, stage) => {
   const box = stage.getBoundingClientRect();
-  return [event.clientX - box.left, event.clientY - box.top];
+  return [event.clientX - box.left - stage.clientLeft, event.clientY - box.top - stage.clientTop];
 };
 
+/** The place of the plane that is drawn at a pixel of the stage. */
 export const planeOf = ([pageX, pageY]) => [
   camera.x + (pageX - camera.size / 2) / scaleOf(),
   camera.y - (pageY - camera.size / 2) / scaleOf(),

@@ -19,9 +19,9 @@ export async function fromHash(text) {
   return JSON.parse(new TextDecoder().decode(await through(bytes, new DecompressionStream("deflate-raw"))));
 }
 
-/** What an address asks for: {problem, view, ...}; each part is "name=value", joined by "&". */
-export async function wishesOf(hash) {
-  const parts = Object.fromEntries(hash.replace(/^#/, "").split("&").filter(Boolean).map((part) => {
+/** What an address asks for behind "#" or "?", {problem, example, lesson, ...}: parts "name=value", joined by "&". */
+export async function wishesOf({ hash, search }) {
+  const parts = Object.fromEntries((hash || search).replace(/^[#?]/, "").split("&").filter(Boolean).map((part) => {
     const at = part.indexOf("=");
     return at < 0 ? [part, ""] : [part.slice(0, at), part.slice(at + 1)];
   }));

@@ -59,6 +59,7 @@ export class Planning {
 
   show(shown) {
     this.shown = shown;
+    if (shown.state === "solved") this.firstPathAt ??= performance.now();
     this.present(shown);
   }
 

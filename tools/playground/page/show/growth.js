@@ -58,8 +58,8 @@ export class Growth {
   at(step) {
     return this.trees.map((tree) => {
       const count = this.shownOf(tree, step);
-      // A rewired node may have a parent that came later: it hangs on the root till then.
-      const parents = tree.parents.subarray(0, count).map((parent) => (parent < count ? parent : 0));
+      // A rewired node may have a parent that came later: it hangs in the air, unseen, till then.
+      const parents = tree.parents.subarray(0, count).map((parent) => (parent < count ? parent : -1));
       return { kind: tree.kind, points: tree.points.subarray(0, 2 * count), parents, edges: this.edges.filter((node) => node < count) };
     });
   }
@@ -77,10 +77,5 @@ export class Growth {
     const parent = tree.parents[node];
     if (parent < 0 && node === 0) return storyOf(this.planner).idea;
     return storyOf(this.planner).step({ tree: tree.kind, node, parent, runsOn: parent === node - 1 });
-  }
-
-  /** Steps at which something new begins: the first, where a branch begins, the last. */
-  moments(count) {
-    return Array.from({ length: count }, (_, i) => Math.round((i / (count - 1)) ** 2 * this.total));
   }
 }

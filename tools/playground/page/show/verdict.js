@@ -18,7 +18,7 @@ export function verdictOf({ state, answer }, done) {
     const { cost, bound } = answer;
     const ratio = bound > 0 ? `, at most ${(cost / bound).toFixed(3)} times the least possible` : "";
     return { headline: "\u2713 Valid path", tone: "good",
-      sentence: `Every step and every motion is checked${ratio}. ${done ? "No shorter one was found." : "Getting shorter \u2026"}` };
+      sentence: `Every step and every motion of it is checked${ratio}. ${done ? "No shorter one was found." : "Getting shorter \u2026"}` };
   }
   if (state === "infeasible") {
     return { headline: "\u2717 There is no path", tone: "bad", sentence: `Proven: ${answer.reason}.` };

@@ -1,7 +1,8 @@
 // Puts what planning presents into the player's story, and has the player's painters paint it.
 
 import { camera, fieldCentre, layers, paintGround, paintNow, paintTrail, Plot, prepare,
-  readColours, shortestLink, sparse, stage, story } from "player";
+  readColours, shortestLink, sparse, stage, story,
+  toPageX, toPageY } from "player";
 import { bodyPoints } from "../model/kinematics.js";
 import { boundsOf } from "../model/edits.js";
 import { columnsOf } from "../plan/planning.js";
@@ -64,6 +65,7 @@ export class View {
   constructor() {
     this.extra = []; // painters of the layer above: handles, marks of what is wrong
     this.trees = []; // of one planner, in a lesson
+    this.hurried = false; // while something is dragged, the trail behind the chain is left out
     story.states = 0;
   }
 
@@ -110,7 +112,8 @@ export class View {
     if (story.states === 0) {
       for (const layer of [layers.trail, layers.chain]) prepare(layer, camera.size, camera.size);
     } else {
-      paintTrail(state, ground);
+      if (this.hurried) prepare(layers.trail, camera.size, camera.size);
+      else paintTrail(state, ground);
       if (this.measured) this.markNearest(state);
       paintNow(state);
       writeScrub();
@@ -125,6 +128,11 @@ export class View {
     const context = by("layer-edit").getContext("2d");
     prepare(context, camera.size, camera.size);
     for (const painter of this.extra) painter(context);
+  }
+
+  /** The pixel of the stage at which a place of the plane is drawn. */
+  placeOf(x, y) {
+    return [toPageX(x) + stage.clientLeft, toPageY(y) + stage.clientTop];
   }
 
   /** Which link is nearest to which obstacle in this state: the player draws a line between them. */
