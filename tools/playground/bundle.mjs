@@ -15,13 +15,13 @@ const { build } = createRequire(join(out, "npm", "package.json"))("esbuild");
 const text = (...path) => readFileSync(join(...path), "utf8");
 
 /** The scripts of the player that the playground stands on, in the order in which the player has them. */
-const playerScripts = ["data.js", "camera.js", "field.js", "moving.js", "plots.js"];
+const playerScripts = ["data.js", "camera.js", "field.js", "moving.js", "plots.js", "playback.js"];
 
 /** They share one scope and export nothing; here they are one module that exports every name. */
 function playerModule() {
   const scripts = playerScripts.map((name) => text(root, "io/player", name)).join("\n").replace('"use strict";\n', "");
   const names = [...scripts.matchAll(/^(?:const|let|class|function) (\w+)/gm)].map((match) => match[1]);
-  return `import { goTo } from ${JSON.stringify(join(here, "page/show/playback.js"))};\n${scripts}\nexport { ${names.join(", ")} };\n`;
+  return `import { announce, show } from ${JSON.stringify(join(here, "page/show/playback.js"))};\n${scripts}\nexport { ${names.join(", ")} };\n`;
 }
 
 /** Problems that are opened by name: those of testcases/, and some of the playground's own. */
@@ -58,7 +58,12 @@ function packedEngine() {
   return `<script id="engine" type="text/plain">${packed}</script>`;
 }
 
+/** A group of the player's controls, as its page has them. */
+const controls = (name) => text(root, "io/player/player.html").match(new RegExp(`<div class="${name}"[^]*?</div>`))[0];
+
 const parts = {
+  TRANSPORT: controls("transport"),
+  ZOOM: controls("zoom"),
   STYLE: text(root, "io/player/player.css") + text(here, "page/style.css"),
   ENGINE: packedEngine(),
   SCRIPT: await script(),

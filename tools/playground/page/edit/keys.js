@@ -1,8 +1,7 @@
 // Everything that the pointer does, by keys.
 
-import { fit, pan, stage, zoomCentre } from "player";
+import { commands, fit, pan, stage, zoomCentre } from "player";
 import { bendEnd, boundsOf, moveEnd, movedBox, putBox, removeBox, addBox, turnEnd, setCount } from "../model/edits.js";
-import { commands } from "../show/playback.js";
 import { keyStep } from "./handles.js";
 
 const panPixels = 60;

@@ -1,13 +1,13 @@
 // Puts what planning presents into the player's story, and has the player's painters paint it.
 
-import { camera, fieldCentre, layers, paintGround, paintNow, paintTrail, Plot, prepare,
+import { camera, fieldCentre, layers, now, paintGround, paintNow, paintTrail, Plot, prepare,
   readColours, shortestLink, sparse, stage, story,
   toPageX, toPageY } from "player";
 import { bodyPoints } from "../model/kinematics.js";
 import { boundsOf } from "../model/edits.js";
 import { columnsOf } from "../plan/planning.js";
 import { minimumArea } from "../model/shape.js";
-import { keepShare, now, writeScrub } from "./playback.js";
+import { keepShare, writeScrub } from "./playback.js";
 
 const by = (id) => document.getElementById(id);
 const put = (id, text) => {
