@@ -3,6 +3,7 @@
 import { Files } from "./files/files.js";
 import { toHash } from "./files/share.js";
 import { Planning } from "./plan/planning.js";
+import { PlannerSettings } from "./plan/settings.js";
 import { Compare } from "./show/compare.js";
 import { announce, notice } from "./show/notice.js";
 import { writeVerdict } from "./show/verdict.js";
@@ -61,7 +62,12 @@ async function fillPlanners(engine, planning) {
   const { planners } = await engine.ask("planners");
   for (const { name, summary } of planners) by("planner").append(Object.assign(new Option(name, name), { title: summary }));
   by("planner").value = planning.planner;
-  by("planner").addEventListener("change", () => planning.restart(by("planner").value));
+  const settings = new PlannerSettings(planners, (values) => planning.restart(planning.planner, { ...values }));
+  settings.show(planning.planner);
+  by("planner").addEventListener("change", () => {
+    settings.show(by("planner").value);
+    planning.restart(by("planner").value);
+  });
   return planners;
 }
 

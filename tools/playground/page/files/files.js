@@ -13,7 +13,7 @@ function save({ name, text }) {
 const placeOf = ({ line, column }) => (line ? `, line ${line}${column ? `, column ${column}` : ""}` : "");
 
 export class Files {
-  /** path(): the states on show or null; showPath(states): a solution was opened; say(text): a notice. */
+  /** path(): the states on show or null; showPath(states): a solution was opened, throws where it is not valid; say(text): a notice. */
   constructor(engine, model, { path, showPath, say }) {
     Object.assign(this, { engine, model, path, showPath, say });
     by("open").addEventListener("click", () => by("file").click());
@@ -31,26 +31,15 @@ export class Files {
     for (const file of files) await this.openText(file.name, await file.text());
   }
 
-  /** Opens the text of a file, whatever kind it is: first as a problem, then as a solution of the one on show. */
+  /** Opens the text of a file: a problem, a scenario, or a solution of the problem on show. */
   async openText(name, text) {
     try {
-      const { problem } = await this.engine.ask("read", { name, text });
-      this.model.open(problem, name.replace(/\.[^.]*$/, ""));
-      this.say(`${name} is opened.`);
-    } catch (noProblem) {
-      await this.openSolution(name, text, noProblem);
-    }
-  }
-
-  async openSolution(name, text, noProblem) {
-    const { problem } = this.model;
-    const { states } = await this.engine.ask("read", { name, text, problem }).catch(() => ({ states: null }));
-    if (!states) return this.say(`${name}${placeOf(noProblem)}: ${noProblem.message}`, true);
-    try {
-      await this.showPath(states);
-      return this.say(`The path of ${name} is valid, and shown.`);
-    } catch (invalid) {
-      return this.say(`The path of ${name} is not valid here: ${invalid.message}`, true);
+      const { problem, states } = await this.engine.ask("read", { name, text, problem: this.model.problem });
+      if (states) await this.showPath(states);
+      else this.model.open(problem, name.replace(/\.[^.]*$/, ""));
+      this.say(states ? `The path of ${name} is valid, and shown.` : `${name} is opened.`);
+    } catch (error) {
+      this.say(`${name}${placeOf(error)}: ${error.message}`, true);
     }
   }
 

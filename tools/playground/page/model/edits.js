@@ -56,14 +56,17 @@ export const turnEnd = (end, angle, snap = true) => (problem) => {
   return snapped(problem, end, (t) => turned(points, t * angle), snap);
 };
 
+/** Is there a range (or "wrap") for each joint, and not one for all? */
+const eachJoint = (joints) => Array.isArray(joints) && typeof joints[0] !== "number";
+
 function bendArm(problem, end, joint, angle) {
   const { body } = problem;
-  const limits = (i) => (body.joints === "wrap" ? null : Array.isArray(body.joints[0]) ? body.joints[i] : body.joints);
+  const limits = (i) => (eachJoint(body.joints) ? body.joints[i] : body.joints);
   const turns = problem[end].map((value, i) => {
     const follows = body.angles === "absolute" ? i >= joint : i === joint;
     if (!follows) return value;
     const limit = limits(i);
-    return limit ? Math.min(Math.max(value + angle, limit[0]), limit[1]) : value + angle;
+    return limit === "wrap" ? value + angle : Math.min(Math.max(value + angle, limit[0]), limit[1]);
   });
   return { ...problem, [end]: turns };
 }
@@ -121,7 +124,7 @@ export const setCount = (count) => (problem) => {
   if (body.kind === "point" || count < 1 || count > mostAsvs || count === problem.start.length) return problem;
   if (body.kind === "arm") {
     const length = (values, fill) => Array.from({ length: count }, (_, i) => values[i] ?? fill);
-    const joints = Array.isArray(body.joints?.[0]) ? length(body.joints, body.joints[body.joints.length - 1]) : body.joints;
+    const joints = eachJoint(body.joints) ? length(body.joints, body.joints[body.joints.length - 1]) : body.joints;
     const links = length(body.links, body.links[body.links.length - 1]);
     return { ...problem, body: { ...body, links, joints }, start: length(problem.start, 0.1), goal: length(problem.goal, 0.1) };
   }

@@ -21,6 +21,7 @@ export class Planning {
   constructor(engine, model, present) {
     Object.assign(this, { engine, model, present });
     this.planner = "auto";
+    this.settings = {};
     this.shown = { version: -1 };
     this.best = null; // the last path, of whatever problem: where the next plan starts
     this.busy = false;
@@ -63,9 +64,9 @@ export class Planning {
     this.present(shown);
   }
 
-  /** Another planner, or the same once more: from nothing. */
-  restart(planner = this.planner) {
-    this.planner = planner;
+  /** Another planner, or the same with other settings ({key: value}): from nothing. */
+  restart(planner, settings = {}) {
+    Object.assign(this, { planner, settings });
     this.best = null;
     this.version = -1;
     this.shown = { version: -1 };
@@ -109,7 +110,7 @@ export class Planning {
     const improving = this.shown.version === version && this.shown.state === "solved";
     this.sent = performance.now();
     const answer = await this.engine.ask("plan", {
-      problem, planner: this.planner, settings: {}, seed: this.seed, slot: "live", trees: false,
+      problem, planner: this.planner, settings: this.settings, seed: this.seed, slot: "live", trees: false,
       optimize: improving ? slice : 0, timeLimit: improving ? 2 : this.look, progress: improving,
       warm: this.best && this.best.columns === columnsOf(problem) ? this.best.states.slice() : null,
     });

@@ -41,7 +41,8 @@ export class Growth {
     this.planner = planner;
     this.answer = answer;
     const { start = null, goal = null, edges = null } = answer.trees ?? {};
-    this.trees = [["start", start], ["goal", goal]].flatMap(([kind, tree]) => (tree ? [{ kind, ...tree }] : []));
+    const isRoadmap = start?.parents.length > 1 && start.parents.every((parent) => parent < 0);
+    this.trees = [[isRoadmap ? "roadmap" : "start", start], ["goal", goal]].flatMap(([kind, tree]) => (tree ? [{ kind, ...tree }] : []));
     this.edges = edges ?? new Int32Array(0);
     this.total = Math.max(...this.trees.map(({ parents }) => parents.length), 0);
   }
