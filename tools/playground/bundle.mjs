@@ -1,12 +1,11 @@
 // Joins the page of the playground, its style and the player's scripts into files that a browser
 // opens: bundle.mjs ENGINE OUT, with the npm packages of package.json in OUT/npm.
 //
-// ENGINE is the folder of the built engine; OUT gets asv-playground.html, all in one file.
+// ENGINE is the folder of the built engine, with asv-worker.js; OUT gets asv-playground.html, all in one file.
 
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { basename, join, resolve } from "node:path";
-import { gzipSync } from "node:zlib";
 
 const [engine, out] = process.argv.slice(2).map((path) => resolve(path));
 const here = import.meta.dirname;
@@ -52,10 +51,11 @@ async function script() {
   return result.outputFiles[0].text.replaceAll("</script", "<\\/script");
 }
 
-/** The worker with the engine in it, compressed: the page unpacks it and starts it from memory. */
-function packedEngine() {
-  const packed = gzipSync(readFileSync(join(engine, "worker.js")), { level: 9 }).toString("base64");
-  return `<script id="engine" type="text/plain">${packed}</script>`;
+/** The worker with the engine in it, as a text of the page that is run by the page's script alone. */
+function engineText() {
+  const worker = text(engine, "asv-worker.js");
+  if (/<\/?script|<!--/i.test(worker)) throw new Error("asv-worker.js would end the element that it stands in");
+  return `<script id="engine" type="text/plain">\n${worker}</script>`;
 }
 
 /** A group of the player's controls, as its page has them. */
@@ -65,7 +65,7 @@ const parts = {
   TRANSPORT: controls("transport"),
   ZOOM: controls("zoom"),
   STYLE: text(root, "io/player/player.css") + text(here, "page/style.css"),
-  ENGINE: packedEngine(),
+  ENGINE: engineText(),
   SCRIPT: await script(),
 };
 const page = text(here, "page/index.html").replace(/@([A-Z]+)@/g, (_, name) => parts[name]);

@@ -11,7 +11,7 @@ import { wishesOf } from "./files/share.js";
 import { boundsOf } from "./model/edits.js";
 import { Model } from "./model/model.js";
 import { Engine } from "./plan/engine.js";
-import { loadWorker } from "./plan/worker_source.js";
+import { startWorker } from "./plan/worker_source.js";
 import { startPlayground } from "./playground.js";
 import { startLesson } from "./show/lesson.js";
 import { announce, notice } from "./show/notice.js";
@@ -25,8 +25,7 @@ const firstExample = "7ASV";
 const gridShares = [0, 0.01, 0.02, 0.05];
 
 /** What every part of the page works with. */
-async function makeParts() {
-  const startWorker = await loadWorker();
+function makeParts() {
   const [model, engine, view] = [new Model(), new Engine(startWorker), new View()];
   const marks = new Marks(engine, (lines) => {
     writeViolations(lines);
@@ -37,7 +36,7 @@ async function makeParts() {
   view.extra.push((context) => paintHandles(context, model.selection),
                   (context) => marks.marks.forEach((mark) => paintMark(context, mark)));
   model.onChange(() => view.paintEdit());
-  return { startWorker, model, engine, view, marks, editor, keys };
+  return { model, engine, view, marks, editor, keys };
 }
 
 function watchTools({ model, view, editor, keys }) {
@@ -98,7 +97,7 @@ function fillExamples(parts) {
 }
 
 async function start() {
-  const parts = await makeParts();
+  const parts = makeParts();
   makePlots();
   watchStage();
   watchTools(parts);

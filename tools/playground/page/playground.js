@@ -73,7 +73,7 @@ async function fillPlanners(engine, planning) {
 
 /** Returns the live loop. */
 export function startPlayground(parts) {
-  const { engine, model, startWorker } = parts;
+  const { engine, model } = parts;
   const { present, settle } = presenter(parts);
   const planning = new Planning(engine, model, (shown, done = false) => present(planning, shown, done));
   model.onChange(() => settle(planning));
@@ -83,6 +83,6 @@ export function startPlayground(parts) {
     showPath: (states) => planning.offer(states),
     say: notice,
   });
-  fillPlanners(engine, planning).then((planners) => new Compare(startWorker, model, planners));
+  fillPlanners(engine, planning).then((planners) => new Compare(model, planners));
   return planning;
 }

@@ -8,13 +8,13 @@ const longestLook = 2;
 /** Seconds without a path after which "unknown" is the answer. */
 const patience = 20;
 /** Seconds of one slice of improvement, and slices in a row without a gain that end it. */
-const slice = 0.12;
+const slice = 0.05;
 const vainSlices = 8;
 const leastGain = 1e-5;
 /** Milliseconds that a changed problem waits for its path before it is shown without one. */
 const wait = 45;
 /** Milliseconds after which a plan for an old problem is not waited for any more. */
-const tooOld = 150;
+const tooOld = 600;
 
 export class Planning {
   /** present(shown): shown is {problem, version, state, answer}; state says what the answer is worth. */
@@ -111,7 +111,7 @@ export class Planning {
     this.sent = performance.now();
     const answer = await this.engine.ask("plan", {
       problem, planner: this.planner, settings: this.settings, seed: this.seed, slot: "live", trees: false,
-      optimize: improving ? slice : 0, timeLimit: improving ? 2 : this.look, progress: improving,
+      optimize: improving ? slice : 0, timeLimit: improving ? 2 : this.look, progress: false,
       warm: this.best && this.best.columns === columnsOf(problem) ? this.best.states.slice() : null,
     });
     if (answer.status !== "interrupted" && !improving) this.timings.push(performance.now() - askedAt);

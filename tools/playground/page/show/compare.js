@@ -1,6 +1,7 @@
 // Planners side by side: each plans the same problem, and then their trees grow together.
 
 import { Engine } from "../plan/engine.js";
+import { startWorker } from "../plan/worker_source.js";
 import { Growth } from "./growth.js";
 import { Pane } from "./pane.js";
 
@@ -11,9 +12,8 @@ const secondsPerFrame = 1 / 60;
 const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class Compare {
-  /** startWorker: the trees have a worker of their own, which starts with the first wish for them. */
-  constructor(startWorker, model, planners) {
-    Object.assign(this, { startWorker, model, panes: [], running: false, wish: 0 });
+  constructor(model, planners) {
+    Object.assign(this, { model, panes: [], running: false, wish: 0 });
     by("planner-choice").append(...planners.map(({ name, summary }) => {
       const label = document.createElement("label");
       const box = Object.assign(document.createElement("input"), { type: "checkbox", value: name, checked: chosenFirst.includes(name) });
@@ -34,7 +34,7 @@ export class Compare {
   /** Plans with all chosen planners, one after the other; a newer wish ends an older one. */
   async start() {
     const wish = ++this.wish;
-    this.engine ??= new Engine(this.startWorker);
+    this.engine ??= new Engine(startWorker); // the live path must not wait for the trees
     const { problem } = this.model;
     const names = [...by("planner-choice").querySelectorAll("input:checked")].map(({ value }) => value);
     by("panes").replaceChildren();
