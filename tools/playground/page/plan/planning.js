@@ -8,7 +8,7 @@ const longestLook = 2;
 /** Seconds without a path after which "unknown" is the answer. */
 const patience = 20;
 /** Seconds of one slice of improvement, and slices in a row without a gain that end it. */
-const slice = 0.05;
+const slice = 0.03;
 const vainSlices = 8;
 const leastGain = 1e-5;
 /** Milliseconds that a changed problem waits for its path before it is shown without one. */
@@ -107,7 +107,8 @@ export class Planning {
   async planOnce() {
     const { problem, version } = this.model;
     const askedAt = this.changedAt;
-    const improving = this.shown.version === version && this.shown.state === "solved";
+    const before = this.shown.version === version && this.shown.state === "solved" ? this.shown.answer : null;
+    const improving = before !== null;
     this.sent = performance.now();
     const answer = await this.engine.ask("plan", {
       problem, planner: this.planner, settings: this.settings, seed: this.seed, slot: "live", trees: false,
@@ -115,13 +116,21 @@ export class Planning {
       warm: this.best && this.best.columns === columnsOf(problem) ? this.best.states.slice() : null,
     });
     if (answer.status !== "interrupted" && !improving) this.timings.push(performance.now() - askedAt);
-    if (answer.status === "solved" && answer.valid) this.take(answer, problem, version, improving);
+    if (answer.status === "solved" && answer.valid) this.take(answer, problem, version, before);
+    else if (answer.status === "not found" && this.look === firstLook) this.without(await this.proofOr(answer, problem), problem, version);
     else this.without(answer, problem, version);
   }
 
-  take(answer, problem, version, improving) {
+  /** A short look may end before the proof that there is no path; that is asked for on its own. */
+  async proofOr(answer, problem) {
+    const { infeasible } = await this.engine.ask("check", { problem });
+    return infeasible ? { ...answer, status: "infeasible", reason: infeasible } : answer;
+  }
+
+  /** A valid path for a problem; `before` is the answer that it was to improve on, or null. */
+  take(answer, problem, version, before) {
     const latest = version === this.version;
-    const gained = !improving || answer.cost < this.shown.answer.cost * (1 - leastGain);
+    const gained = !before || answer.cost < before.cost * (1 - leastGain);
     if (latest) {
       clearTimeout(this.timer);
       this.vain = gained ? 0 : this.vain + 1;
@@ -136,6 +145,7 @@ export class Planning {
     if (latest && this.done) this.present(this.shown, true);
   }
 
+  /** No path, whatever the reason. */
   without(answer, problem, version) {
     if (version !== this.version || answer.status === "interrupted") return;
     if (answer.status === "infeasible" || answer.status === "invalid ends") {
