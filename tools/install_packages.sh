@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|python|package|
-# package_test|site]. "build" is what the libraries and programs need, "test" adds what the tests need,
+# package_test|site|playground]. "build" is what the libraries and programs need, "test" adds what the tests need,
 # "ci" the second compiler as well; "python" is "build" and what the Python module and its tests need;
 # "package" is "build" and what makes Debian packages, "package_test" what tries them as well; "site" is
-# what tools/site.sh needs, with what it takes to configure the project.
+# what tools/site.sh needs, with what it takes to configure the project; "playground" is what tools/playground.sh needs to
+# compile the planner for a browser.
 set -euo pipefail
 
 build_packages=(
@@ -51,6 +52,9 @@ site_packages=(
     python3-sphinx python3-myst-parser furo # pages
     doxygen python3-breathe                 # the reference of the public headers
 )
+playground_packages=(
+    emscripten                     # a compiler for WebAssembly
+)
 
 what=${1:-build}
 packages=("${build_packages[@]}")
@@ -60,6 +64,7 @@ case "$what" in
     package_test) packages+=("${package_packages[@]}" "${package_test_packages[@]}") ;;
     python) packages+=("${python_packages[@]}") ;;
     site) packages+=("${site_packages[@]}") ;;
+    playground) packages+=("${playground_packages[@]}") ;;
 esac
 if [ "$what" = test ] || [ "$what" = ci ]; then
     packages+=("${test_packages[@]}" "${manual_packages[@]}")

@@ -74,6 +74,21 @@ Point PlanningFrame::point_back(const Point& point) const {
     return transposed_ ? Point{y, x} : Point{x, y};
 }
 
+Path PlanningFrame::path_in(const Path& given) const {
+    Path planned(given.asv_count());
+    planned.reserve(given.size());
+    std::vector<Point> state(given.asv_count());
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const auto from = given.state(reversed_ ? given.size() - 1 - i : i);
+        std::transform(from.begin(), from.end(), state.begin(), [this](const Point& point) {
+            const double x = point.x / unit_, y = point.y / unit_;
+            return transposed_ ? Point{y, x} : Point{x, y};
+        });
+        planned.push_back(state);
+    }
+    return planned;
+}
+
 Path PlanningFrame::path_back(const Path& path) const {
     Path back(path.asv_count());
     back.reserve(path.size());

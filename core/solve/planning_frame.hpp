@@ -36,6 +36,8 @@ class PlanningFrame {
     /// From planning coordinates back to the given ones. An infinite cost stays infinite.
     double cost_back(double cost) const { return unit_ * cost; }
     Point point_back(const Point& point) const;
+    /// A path of the given problem, or of one like it, in planning coordinates.
+    Path path_in(const Path& given) const;
     /// Leads from the given start to the given goal.
     Path path_back(const Path& path) const;
     /// The tree of the given start first.

@@ -8,8 +8,10 @@
 #include "core/bounds/feasibility.hpp"
 #include "core/model/cost.hpp"
 #include "core/model/planning_window.hpp"
+#include "core/solve/replan.hpp"
 #include "core/solve/stages/find_bounds.hpp"
 #include "core/solve/stages/improve_path.hpp"
+#include "core/solve/stages/mend_path.hpp"
 #include "core/solve/stages/race.hpp"
 #include "core/solve/stages/solve_call.hpp"
 #include "core/validation/validate.hpp"
@@ -86,8 +88,12 @@ void finish(const SolveCall& call, const RaceResult& first, SolveResult& result)
     find_bounds(call, time_to_write(result.solution->path), result.statistics);
 }
 
-/// Searches, improves and checks.
-void plan(const SolveCall& call, SolveResult& result) {
+/// Mends the last path, if there is one, or else searches; improves and checks.
+void plan(const SolveCall& call, const Path* last, SolveResult& result) {
+    if (last) {
+        if (const auto mended = mend_path(call, *last, result.statistics))
+            return finish(call, *mended, result);
+    }
     const RaceResult first = race_for_first_path(call, result);
     if (first.infeasible) {
         result.status = SolveStatus::infeasible;
@@ -101,9 +107,8 @@ void plan(const SolveCall& call, SolveResult& result) {
     }
 }
 
-}  // namespace
-
-SolveResult solve(const Problem& problem, const SolveOptions& options) {
+/// solve() and, with a last path, replan().
+SolveResult solve_from(const Path* last, const Problem& problem, const SolveOptions& options) {
     const SolveClock clock(options.time_limit, options.elapsed_before);
     require_usable(options.planner, problem.body_kind());
     if (auto proof = check_area(problem); proof.cause != Infeasibility::none)
@@ -117,9 +122,19 @@ SolveResult solve(const Problem& problem, const SolveOptions& options) {
     const auto solver = make_body_solver(frame.problem(), options.planner);
     SolveResult result;
     const auto deadline = clock.moment_before_end(time_to_finish(problem, options));
-    plan({problem, options, clock, frame, *solver, deadline}, result);
+    plan({problem, options, clock, frame, *solver, deadline}, last, result);
     result.statistics.time_total = clock.elapsed();
     return result;
+}
+
+}  // namespace
+
+SolveResult solve(const Problem& problem, const SolveOptions& options) {
+    return solve_from(nullptr, problem, options);
+}
+
+SolveResult replan(const Problem& problem, const Path& last_path, const SolveOptions& options) {
+    return solve_from(&last_path, problem, options);
 }
 
 }  // namespace asv::core

@@ -1,9 +1,11 @@
 #include "core/space/joint_world.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "core/chain/arm_kinematics.hpp"
+#include "core/search/trees/interpolate.hpp"
 
 namespace asv::core {
 
@@ -38,6 +40,21 @@ std::vector<double> row_of(const Problem& problem, bool goal,
     std::vector<double> row;
     for (const JointCoordinate& c : coordinates) row.push_back(values[c.joint]);
     return row;
+}
+
+/// The joint angles of an arm's points, up to full turns, or x and y of a point.
+std::vector<double> values_of(const Problem& problem, std::span<const Point> state) {
+    const PlanarArm* arm = problem.arm();
+    if (!arm) return {state[0].x, state[0].y};
+    std::vector<double> angles;
+    double before = 0;
+    for (std::size_t i = 1; i < state.size(); ++i) {
+        const double heading = std::atan2(state[i].y - state[i - 1].y, state[i].x - state[i - 1].x);
+        const bool relative = arm->angles == AngleReference::previous_link;
+        angles.push_back(relative ? heading - before : heading);
+        before = heading;
+    }
+    return angles;
 }
 
 }  // namespace
@@ -75,6 +92,20 @@ Configurations JointWorld::chain_rows(const Configurations& rows) const {
     for (std::size_t i = 0; i * from < rows.size(); ++i)
         chain_row({rows.data() + i * from, from}, {result.data() + i * to, to});
     return result;
+}
+
+Configurations JointWorld::rows_of(const Path& path) const {
+    const WrappingAngles all_angles{0, problem.arm() ? dimension() : 0};
+    std::vector<double> before = start, row(dimension());
+    Configurations rows;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const auto values = values_of(problem, path.state(i));
+        for (std::size_t k = 0; k < row.size(); ++k) row[k] = values[coordinates[k].joint];
+        unwrap(row, before, all_angles);
+        rows.insert(rows.end(), row.begin(), row.end());
+        before = row;
+    }
+    return rows;
 }
 
 bool JointWorld::within_limits(std::span<const double> row) const {

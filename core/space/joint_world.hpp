@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/chain/chain.hpp"
+#include "core/model/path.hpp"
 #include "core/model/problem.hpp"
 #include "core/search/search_result.hpp"
 #include "core/space/proof/chain_constraints.hpp"
@@ -38,6 +39,9 @@ class JointWorld {
     void chain_row(std::span<const double> row, std::span<double> out) const;
     /// A whole path likewise.
     Configurations chain_rows(const Configurations& rows) const;
+    /// The configurations of states, each by full turns of its angles the nearest to the one before
+    /// it, the first to the start. Precondition: states of the problem's body.
+    Configurations rows_of(const Path& path) const;
     /// Is every coordinate that does not wrap within its limits?
     bool within_limits(std::span<const double> row) const;
 

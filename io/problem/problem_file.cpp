@@ -157,7 +157,7 @@ ProblemFile read_problem(const std::filesystem::path& file, const ReadOptions& o
     return parse_problem(text, input_name(file), options);
 }
 
-void write_problem(const std::filesystem::path& file, const core::Problem& problem) {
+std::string format_problem(const core::Problem& problem) {
     std::string text = std::to_string(problem.asv_count()) + '\n';
     append_positions(text, problem.start);
     append_positions(text, problem.goal);
@@ -168,7 +168,11 @@ void write_problem(const std::filesystem::path& file, const core::Problem& probl
         append_point(text, box.high, ' ');
         append_point(text, {box.low.x, box.high.y}, '\n');
     }
-    write_file(file, text);
+    return text;
+}
+
+void write_problem(const std::filesystem::path& file, const core::Problem& problem) {
+    write_file(file, format_problem(problem));
 }
 
 }  // namespace asv::io

@@ -32,8 +32,10 @@ ProblemFile read_problem(const std::filesystem::path& file, const ReadOptions& o
 ProblemFile parse_problem(std::string_view text, const std::string& name,
                           const ReadOptions& options = {});
 
-/// Writes the classic format, whole or not at all; reads back to the same numbers.
-/// Throws FileError.
+/// The classic format, which reads back to the same numbers.
+std::string format_problem(const core::Problem& problem);
+
+/// Writes the classic format, whole or not at all. Throws FileError.
 void write_problem(const std::filesystem::path& file, const core::Problem& problem);
 
 }  // namespace asv::io

@@ -112,8 +112,8 @@ core::Solution read_solution(const std::filesystem::path& file, std::size_t asv_
     return parse_solution(read_file(file), asv_count, input_name(file), warnings);
 }
 
-void write_solution(const std::filesystem::path& file, const core::Solution& solution) {
-    if (solution.path.empty()) throw std::invalid_argument("write_solution: the path is empty");
+std::string format_solution(const core::Solution& solution) {
+    if (solution.path.empty()) throw std::invalid_argument("format_solution: the path is empty");
     std::string text = std::to_string(solution.path.size() - 1) + ' ';
     append_number(text, solution.cost);
     for (std::size_t i = 0; i < solution.path.size(); ++i) {
@@ -127,7 +127,11 @@ void write_solution(const std::filesystem::path& file, const core::Solution& sol
         }
     }
     text += '\n';
-    write_file(file, text);
+    return text;
+}
+
+void write_solution(const std::filesystem::path& file, const core::Solution& solution) {
+    write_file(file, format_solution(solution));
 }
 
 }  // namespace asv::io

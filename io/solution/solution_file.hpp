@@ -25,8 +25,11 @@ core::Solution read_solution(const std::filesystem::path& file, std::size_t asv_
 core::Solution parse_solution(std::string_view text, std::size_t asv_count, const std::string& name,
                               std::vector<Warning>* warnings = nullptr);
 
-/// Writes the solution with the shortest digits that read back to the same numbers; whole or not
-/// at all. Throws FileError.
+/// The file's text; numbers have the shortest digits that read back to the same number. Throws
+/// std::invalid_argument when the path is empty.
+std::string format_solution(const core::Solution& solution);
+
+/// Writes the solution, whole or not at all. Throws FileError.
 void write_solution(const std::filesystem::path& file, const core::Solution& solution);
 
 }  // namespace asv::io

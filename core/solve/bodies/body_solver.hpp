@@ -60,6 +60,10 @@ class BodySolver {
     virtual Attempt search(const Limits& limits, Rng& rng, const Observer& observer,
                            std::size_t racer) const = 0;
 
+    /// A path from start to goal made of what is still valid of another one, in planning
+    /// coordinates; see PathMender.
+    virtual Attempt mend(const Path& last, const Limits& limits, Rng& rng) const = 0;
+
     /// The cost of a path of configurations; that of its steps may differ by some 0.1 %.
     virtual double cost(const Configurations& path) const = 0;
 

@@ -1,5 +1,6 @@
 #include "core/shorten/chain_shortener.hpp"
 #include "core/solve/bodies/body_solver.hpp"
+#include "core/solve/bodies/mend.hpp"
 #include "core/solve/bodies/search_in.hpp"
 #include "core/solve/primitive_steps.hpp"
 #include "core/space/chain_world.hpp"
@@ -13,12 +14,11 @@ namespace asv::core {
 
 namespace {
 
-Attempt run(const AutoPlanner& planner, const ChainWorld& world, const Limits& limits, Rng& rng,
-            const Observer& observer) {
+Attempt run(const AutoPlanner& planner, const ChainWorld& world, const Query& query,
+            const Limits& limits, Rng& rng, const Observer& observer) {
     SlideSpace space(world, planner.steering);
     Attempt attempt;
-    attempt.search =
-        slide_and_pull(space, {world.start, world.goal}, planner.search, limits, rng, observer);
+    attempt.search = slide_and_pull(space, query, planner.search, limits, rng, observer);
     attempt.checks = {space.checker().state_checks(), space.checker().motion_checks()};
     attempt.constrained_steps = space.constrained_steps();
     return attempt;
@@ -26,25 +26,38 @@ Attempt run(const AutoPlanner& planner, const ChainWorld& world, const Limits& l
 
 /// Of all other planners, which take their samples from a sampler.
 template <class Space, class Chosen, class... SpaceOptions>
-Attempt run_in(const Chosen& planner, const ChainWorld& world, const Limits& limits, Rng& rng,
-               const Observer& observer, const SpaceOptions&... options) {
+Attempt run_in(const Chosen& planner, const ChainWorld& world, const Query& query,
+               const Limits& limits, Rng& rng, const Observer& observer,
+               const SpaceOptions&... options) {
     const auto sampler = sampler_for(Space(world, options...), planner.sampler);
     SampledBy<Space> space(sampler, world, options...);
     Attempt attempt;
-    attempt.search = search_in(space, planner, {world.start, world.goal}, limits, rng, observer);
+    attempt.search = search_in(space, planner, query, limits, rng, observer);
     attempt.checks = {space.state_checks(), space.motion_checks()};
     return attempt;
 }
 
-Attempt run(const RrtConnectPlanner& planner, const ChainWorld& world, const Limits& limits,
-            Rng& rng, const Observer& observer) {
-    return run_in<LadderSpace>(planner, world, limits, rng, observer, planner.space);
+Attempt run(const RrtConnectPlanner& planner, const ChainWorld& world, const Query& query,
+            const Limits& limits, Rng& rng, const Observer& observer) {
+    return run_in<LadderSpace>(planner, world, query, limits, rng, observer, planner.space);
 }
 
 template <class OneOfTheOthers>
-Attempt run(const OneOfTheOthers& planner, const ChainWorld& world, const Limits& limits, Rng& rng,
-            const Observer& observer) {
-    return run_in<StraightSpace>(planner, world, limits, rng, observer);
+Attempt run(const OneOfTheOthers& planner, const ChainWorld& world, const Query& query,
+            const Limits& limits, Rng& rng, const Observer& observer) {
+    return run_in<StraightSpace>(planner, world, query, limits, rng, observer);
+}
+
+/// The space that a planner searches, whose steering joins the pieces of a path.
+SlideSpace space_for(const AutoPlanner& planner, const ChainWorld& world) {
+    return {world, planner.steering};
+}
+LadderSpace space_for(const RrtConnectPlanner& planner, const ChainWorld& world) {
+    return {world, planner.space};
+}
+template <class OneOfTheOthers>
+StraightSpace space_for(const OneOfTheOthers&, const ChainWorld& world) {
+    return StraightSpace(world);
 }
 
 /// Every second racer slides in steps of half the length: slower in corridors, twice as fast
@@ -83,8 +96,31 @@ class ChainSolver : public BodySolver {
                    std::size_t racer) const override {
         const Planner planner = varied(planner_, racer);
         return std::visit(
-            [&](const auto& chosen) { return run(chosen, world_, limits, rng, observer); },
+            [&](const auto& chosen) {
+                return run(chosen, world_, {world_.start, world_.goal}, limits, rng, observer);
+            },
             planner);
+    }
+
+    Attempt mend(const Path& last, const Limits& limits, Rng& rng) const override {
+        return std::visit(
+            [&](const auto& chosen) {
+                auto space = space_for(chosen, world_);
+                MotionChecker checker = world_.make_checker();
+                Attempt attempt;
+                const auto search = [&](const Query& query) {
+                    Attempt joint = run(chosen, world_, query, limits, rng, {});
+                    attempt.checks += joint.checks;
+                    return std::move(joint.search);
+                };
+                const auto valid = [&](auto from, auto to) { return checker.valid(from, to); };
+                PathMender mender(space, valid, search);
+                attempt.search =
+                    mender.mend({world_.start, world_.goal}, rows_of(last, space.wrapping()));
+                attempt.checks += {checker.state_checks(), checker.motion_checks()};
+                return attempt;
+            },
+            planner_);
     }
 
     double cost(const Configurations& path) const override {
@@ -130,6 +166,19 @@ class ChainSolver : public BodySolver {
     }
 
   private:
+    /// The configurations of a path, their angles unwrapped alike.
+    Configurations rows_of(const Path& path, WrappingAngles angles) const {
+        std::vector<double> row(world_.start), before(world_.start);
+        Configurations rows;
+        for (std::size_t i = 0; i < path.size(); ++i) {
+            world_.chain.configuration(path.state(i), row);
+            unwrap(row, before, angles);
+            rows.insert(rows.end(), row.begin(), row.end());
+            before = row;
+        }
+        return rows;
+    }
+
     double search_work(const Attempt& attempt) const {
         const ChainWork done{attempt.checks.state_checks, attempt.constrained_steps, 0};
         return microseconds(done, world_.problem.asv_count(), world_.problem.obstacles.size());

@@ -1,6 +1,7 @@
 #include "core/bounds/lower_bound.hpp"
 #include "core/shorten/joint_shortener.hpp"
 #include "core/solve/bodies/body_solver.hpp"
+#include "core/solve/bodies/mend.hpp"
 #include "core/solve/bodies/search_in.hpp"
 #include "core/solve/primitive_steps.hpp"
 #include "core/space/joint_space.hpp"
@@ -10,23 +11,23 @@ namespace asv::core {
 
 namespace {
 
-Attempt run(const AutoPlanner&, const JointWorld& world, const Limits& limits, Rng& rng,
-            const Observer& observer) {
+Attempt run(const AutoPlanner&, const JointWorld& world, const Query& query, const Limits& limits,
+            Rng& rng, const Observer& observer) {
     JointSpace space(world);
     Attempt attempt;
-    attempt.search = rrt_connect(space, {world.start, world.goal}, {}, limits, rng, observer);
+    attempt.search = rrt_connect(space, query, {}, limits, rng, observer);
     attempt.checks = {space.state_checks(), space.motion_checks()};
     return attempt;
 }
 
 /// Of all other planners, which take their samples from a sampler.
 template <class Chosen>
-Attempt run(const Chosen& planner, const JointWorld& world, const Limits& limits, Rng& rng,
-            const Observer& observer) {
+Attempt run(const Chosen& planner, const JointWorld& world, const Query& query,
+            const Limits& limits, Rng& rng, const Observer& observer) {
     const auto sampler = sampler_for(JointSpace(world), planner.sampler);
     SampledBy<JointSpace> space(sampler, world);
     Attempt attempt;
-    attempt.search = search_in(space, planner, {world.start, world.goal}, limits, rng, observer);
+    attempt.search = search_in(space, planner, query, limits, rng, observer);
     attempt.checks = {space.state_checks(), space.motion_checks()};
     return attempt;
 }
@@ -44,8 +45,28 @@ class JointSolver : public BodySolver {
     Attempt search(const Limits& limits, Rng& rng, const Observer& observer,
                    std::size_t /*racer*/) const override {
         return std::visit(
-            [&](const auto& chosen) { return run(chosen, world_, limits, rng, observer); },
+            [&](const auto& chosen) {
+                return run(chosen, world_, {world_.start, world_.goal}, limits, rng, observer);
+            },
             planner_);
+    }
+
+    Attempt mend(const Path& last, const Limits& limits, Rng& rng) const override {
+        JointSpace space(world_);
+        Attempt attempt;
+        const auto search = [&](const Query& query) {
+            const auto run_planner = [&](const auto& chosen) {
+                return run(chosen, world_, query, limits, rng, {});
+            };
+            Attempt joint = std::visit(run_planner, planner_);
+            attempt.checks += joint.checks;
+            return std::move(joint.search);
+        };
+        const auto valid = [&](auto from, auto to) { return space.motion_valid(from, to); };
+        PathMender mender(space, valid, search);
+        attempt.search = mender.mend({world_.start, world_.goal}, world_.rows_of(last));
+        attempt.checks += {space.state_checks(), space.motion_checks()};
+        return attempt;
     }
 
     double cost(const Configurations& path) const override {

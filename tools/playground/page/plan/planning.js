@@ -3,8 +3,8 @@
 // own path, or with none: a problem waits a moment for its path, and is then shown without it.
 
 /** Seconds for the first look at a problem, and for the looks after it when it stays unsolved. */
-const firstLook = 0.15;
-const longestLook = 2;
+const firstLook = 0.2;
+const longestLook = 1;
 /** Seconds without a path after which "unknown" is the answer. */
 const patience = 20;
 /** Seconds of one slice of improvement, and slices in a row without a gain that end it. */
@@ -14,7 +14,7 @@ const leastGain = 1e-5;
 /** Milliseconds that a changed problem waits for its path before it is shown without one. */
 const wait = 45;
 /** Milliseconds after which a plan for an old problem is not waited for any more. */
-const tooOld = 600;
+const tooOld = 1500;
 
 export class Planning {
   /** present(shown): shown is {problem, version, state, answer}; state says what the answer is worth. */

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { axeScript, close, screenshot, text } from "../browser/browser.mjs";
+import { axeScript, close, screenshot, text } from "../../browser/browser.mjs";
 import { openExample, openPlayground, placeOf, problemOf, waitFor } from "./page.mjs";
 
 for (const colorScheme of ["light", "dark"]) {

@@ -5,7 +5,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { close, file, text } from "../browser/browser.mjs";
+import { close, file, text } from "../../browser/browser.mjs";
 import { openExample, openPlayground, problemOf, waitFor } from "./page.mjs";
 
 const { ASV_PROGRAMS, ASV_SOURCE } = process.env;

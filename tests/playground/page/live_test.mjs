@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { statSync } from "node:fs";
 import { test } from "node:test";
-import { close, file, record, screenshot, text } from "../browser/browser.mjs";
+import { close, file, record, screenshot, text } from "../../browser/browser.mjs";
 import { drag, openExample, openPlayground, pageName, percentile, placeOf, problemOf, waitFor } from "./page.mjs";
 
 const rounded = (value) => Number(value.toFixed(1));

@@ -1,6 +1,6 @@
 // Opens the playground and speaks with it, for the tests of this folder.
 
-import { open } from "../browser/browser.mjs";
+import { open } from "../../browser/browser.mjs";
 
 export const pageName = "asv-playground.html";
 

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { close, screenshot, text } from "../browser/browser.mjs";
+import { close, screenshot, text } from "../../browser/browser.mjs";
 import { drag, openPlayground, problemOf, waitFor } from "./page.mjs";
 
 /** Those of docs/tutorials/playground_lesson.md, whose pictures are taken here. */

@@ -2,9 +2,9 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { arc, bodyPoints, centreOf, headingsOf, pulled, signedArea, turned, turnsOf, withTurns } from "../../tools/playground/page/model/kinematics.js";
-import { Model } from "../../tools/playground/page/model/model.js";
-import { fromHash, toHash, wishesOf } from "../../tools/playground/page/files/share.js";
+import { arc, bodyPoints, centreOf, headingsOf, pulled, signedArea, turned, turnsOf, withTurns } from "../../../tools/playground/page/model/kinematics.js";
+import { Model } from "../../../tools/playground/page/model/model.js";
+import { fromHash, toHash, wishesOf } from "../../../tools/playground/page/files/share.js";
 
 const lengths = (points) => headingsOf(points).map((_, i) => Math.hypot(points[2 * i + 2] - points[2 * i], points[2 * i + 3] - points[2 * i + 1]));
 

@@ -1,0 +1,143 @@
+#include "core/solve/replan.hpp"
+
+#include <filesystem>
+#include <string>
+
+#include "core/validation/validate.hpp"
+#include "io/problem/problem_file.hpp"
+#include "tests/kit/chains/problems.hpp"
+#include "tests/kit/seeds.hpp"
+#include "tests/kit/solving.hpp"
+
+namespace asv::core {
+namespace {
+
+using test::expect_solved;
+using test::plain;
+using test::testcase;
+
+constexpr std::uint64_t seed = 1;
+
+Path path_for(const Problem& problem) {
+    return solve(problem, plain(seed)).solution->path;
+}
+
+/// A small box around a point, as one that somebody drags there.
+Box box_at(const Point& point) {
+    constexpr double half_side = 0.01;
+    return {{point.x - half_side, point.y - half_side}, {point.x + half_side, point.y + half_side}};
+}
+
+/// How many nodes the search for the first path took is not told where none was needed.
+bool from_nothing(const SolveResult& result) {
+    return result.statistics.tree_nodes[0] > 0;
+}
+
+struct EachBody : ::testing::TestWithParam<const char*> {
+    Problem problem() const {
+        return io::read_problem(std::filesystem::path(ASV_SOURCE_DIR) / "testcases" / GetParam())
+            .problem;
+    }
+};
+
+TEST_P(EachBody, KeepsAPathThatIsStillValidWithoutASearch) {
+    const Problem problem = this->problem();
+    const SolveResult again = replan(problem, path_for(problem), plain(seed));
+    expect_solved(problem, again);
+    EXPECT_FALSE(from_nothing(again));
+    EXPECT_EQ(again.statistics.iterations, 0U);
+}
+
+TEST_P(EachBody, TheSameSeedGivesTheSamePath) {
+    const Problem problem = this->problem();
+    const Path last = path_for(problem);
+    const SolveResult once = replan(problem, last, plain(seed));
+    const SolveResult twice = replan(problem, last, plain(seed));
+    ASSERT_TRUE(once.solution && twice.solution);
+    EXPECT_TRUE(std::ranges::equal(once.solution->path.points(), twice.solution->path.points()));
+}
+
+TEST_P(EachBody, TakesTheOldPathTheOtherWayRound) {
+    Problem problem = this->problem();
+    SolveOptions options = plain(seed);
+    options.reverse = true;
+    const SolveResult again = replan(problem, path_for(problem), options);
+    expect_solved(problem, again);
+    EXPECT_FALSE(from_nothing(again));
+}
+
+INSTANTIATE_TEST_SUITE_P(Bodies, EachBody,
+                         ::testing::Values("3ASV.txt", "7ASV.txt", "bodies/arm-3-plane.json",
+                                           "bodies/arm-5-workshop.json", "bodies/point-town.json"),
+                         [](const auto& given) {
+                             std::string label = given.param;
+                             std::erase_if(label, [](char c) { return std::isalnum(c) == 0; });
+                             return label;
+                         });
+
+TEST(Replan, GoesRoundABoxThatIsPutOnThePath) {
+    Problem problem = testcase("3ASV-x4.txt");
+    const Path last = path_for(problem);
+    const std::size_t asv = problem.asv_count() / 2;
+    problem.obstacles.push_back(box_at(last.state(last.size() / 2)[asv]));
+    ASSERT_TRUE(invalid_ends(problem).empty());
+    ASSERT_FALSE(validate(problem, {last, cost(problem, last)}).valid());
+    expect_solved(problem, replan(problem, last, plain(seed)));
+}
+
+TEST(Replan, FollowsEndsThatMove) {
+    Problem problem = testcase("3ASV-x4.txt");
+    const Path last = path_for(problem);
+    const std::size_t later = last.size() / 10;
+    const auto start = last.state(later), goal = last.state(last.size() - 1 - later);
+    problem.start.assign(start.begin(), start.end());
+    problem.goal.assign(goal.begin(), goal.end());
+    const SolveResult again = replan(problem, last, plain(seed));
+    expect_solved(problem, again);
+    EXPECT_FALSE(from_nothing(again));
+}
+
+TEST(Replan, PlansFromNothingWhereTheLastPathIsOfAnotherNumberOfAsvs) {
+    const Problem problem = testcase("3ASV.txt");
+    const SolveResult again = replan(problem, path_for(testcase("7ASV.txt")), plain(seed));
+    expect_solved(problem, again);
+    EXPECT_TRUE(from_nothing(again));
+    const SolveResult of_none = replan(problem, Path(problem.asv_count()), plain(seed));
+    expect_solved(problem, of_none);
+}
+
+TEST(Replan, AnyPathWillDo) {
+    const Problem problem = testcase("3ASV.txt");
+    test::for_seeds(10, [&](Rng& rng) {
+        Path nonsense(problem.asv_count());
+        std::vector<Point> state(problem.asv_count());
+        for (int i = 0; i < 100; ++i) {
+            for (Point& point : state) point = {rng.uniform(-1, 2), rng.uniform(-1, 2)};
+            nonsense.push_back(state);
+        }
+        expect_solved(problem, replan(problem, nonsense, plain(seed)));
+    });
+}
+
+TEST(Replan, SaysThatEndsAreInvalidAsSolveDoes) {
+    Problem problem = testcase("3ASV.txt");
+    const Path last = path_for(problem);
+    problem.obstacles.push_back(box_at(problem.start[1]));
+    EXPECT_THROW(replan(problem, last, plain(seed)), InvalidEnds);
+}
+
+TEST(Replan, EveryPlannerMends) {
+    const Problem problem = testcase("3ASV-x4.txt");
+    const Path last = path_for(problem);
+    for (const std::string_view name : planner_names()) {
+        SCOPED_TRACE(name);
+        SolveOptions options = plain(seed);
+        options.planner = planner_named(name);
+        const SolveResult again = replan(problem, last, options);
+        expect_solved(problem, again);
+        EXPECT_FALSE(from_nothing(again));
+    }
+}
+
+}  // namespace
+}  // namespace asv::core

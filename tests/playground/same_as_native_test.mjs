@@ -1,0 +1,54 @@
+// The engine and the programs: the same problem and seed give the same file, and the program for validation accepts it.
+import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { Engine, run, testcases } from "./engine.mjs";
+
+const seed = 1;
+const folder = mkdtempSync(join(tmpdir(), "asv-playground-"));
+let engine;
+before(() => (engine = new Engine()));
+after(async () => {
+  await engine.close();
+  rmSync(folder, { recursive: true });
+});
+
+const isProblem = (name) => name.endsWith(".txt") || name.endsWith(".json");
+const filesIn = (path) => readdirSync(path).filter(isProblem).map((name) => join(path, name));
+
+for (const file of [...filesIn(testcases), ...filesIn(join(testcases, "bodies"))])
+  test(file.slice(testcases.length + 1), async (t) => {
+    const read = await engine.read(file);
+    if (read.kind === "error" && read.message.includes("a page has no files")) return t.skip("it needs a map");
+    const { problem } = read;
+    const planned = await engine.ask("plan", { problem, planner: "auto", seed, optimize: 0, timeLimit: 120 });
+    assert.equal(planned.status, "solved", planned.reason ?? planned.message);
+    assert.ok(planned.valid, planned.violation);
+    const written = await engine.ask("write", { what: "solution", problem, states: planned.states });
+    const ours = join(folder, "wasm.txt"), native = join(folder, "native.txt");
+    writeFileSync(ours, written.text);
+    run("asv-validate", file, ours, "--continuous", "--quiet");
+    run("asv-solve", file, native, "--seed", String(seed), "--threads", "1", "--optimize", "0", "--quiet");
+    t.diagnostic(`first path after ${(1000 * planned.seconds.first).toFixed(1)} ms, cost ${planned.cost}`);
+    const nativeText = readFileSync(native, "utf8");
+    assert.equal(written.text.split("\n", 1)[0], nativeText.split("\n", 1)[0], "steps and cost");
+    assert.ok(written.text === nativeText, "the states differ");
+  });
+
+test("A problem and a scenario are written as they were read", async () => {
+  const { problem } = await engine.read(join(testcases, "7ASV.txt"));
+  for (const what of ["problem", "scenario"]) {
+    const { text } = await engine.ask("write", { what, problem });
+    const again = await engine.ask("read", { name: what, text });
+    assert.deepEqual(again.problem, problem);
+  }
+});
+
+test("Numbers have the shortest digits that read back to them", async () => {
+  const { problem } = await engine.read(join(testcases, "3ASV.txt"));
+  problem.obstacles = [[[0.1, 0.30000000000000004], [0.5, 1e-7 + 0.5]]];
+  const { text } = await engine.ask("write", { what: "problem", problem });
+  assert.equal(text.split("\n")[4], "0.1 0.30000000000000004 0.5 0.30000000000000004 0.5 0.5000001 0.1 0.5000001");
+});
