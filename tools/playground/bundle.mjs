@@ -5,10 +5,11 @@
 
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { basename, join, resolve } from "node:path";
+import { basename, dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
 
 const [engine, out] = process.argv.slice(2).map((path) => resolve(path));
-const here = import.meta.dirname;
+const here = dirname(fileURLToPath(import.meta.url));
 const root = resolve(here, "../..");
 const { build } = createRequire(join(out, "npm", "package.json"))("esbuild");
 const text = (...path) => readFileSync(join(...path), "utf8");

@@ -12,7 +12,7 @@ const slice = 0.03;
 const vainSlices = 8;
 const leastGain = 1e-5;
 /** Milliseconds that a changed problem waits for its path before it is shown without one. */
-const wait = 45;
+const wait = 120;
 /** Milliseconds after which a plan for an old problem is not waited for any more. */
 const tooOld = 1500;
 

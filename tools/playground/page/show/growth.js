@@ -24,9 +24,7 @@ const stories = {
   },
   prm: {
     idea: "A roadmap: draw free places all over the field, join each to its neighbours, then look for the shortest way in that graph.",
-    step: ({ node, parent }) => parent < 0
-      ? `A free place is kept: node ${node} of the roadmap.`
-      : `Node ${node} is joined to node ${parent}; where the way between them is free there is an edge.`,
+    step: ({ node }) => `A free place is kept as node ${node}, and joined to each of its neighbours that it can reach in a straight line.`,
   },
 };
 
@@ -43,7 +41,7 @@ export class Growth {
     const { start = null, goal = null, edges = null } = answer.trees ?? {};
     const isRoadmap = start?.parents.length > 1 && start.parents.every((parent) => parent < 0);
     this.trees = [[isRoadmap ? "roadmap" : "start", start], ["goal", goal]].flatMap(([kind, tree]) => (tree ? [{ kind, ...tree }] : []));
-    this.edges = edges ?? new Int32Array(0);
+    this.edges = edges ?? []; // of a roadmap: pairs of nodes, one after the other
     this.total = Math.max(...this.trees.map(({ parents }) => parents.length), 0);
   }
 
@@ -61,8 +59,16 @@ export class Growth {
       const count = this.shownOf(tree, step);
       // A rewired node may have a parent that came later: it hangs in the air, unseen, till then.
       const parents = tree.parents.subarray(0, count).map((parent) => (parent < count ? parent : -1));
-      return { kind: tree.kind, points: tree.points.subarray(0, 2 * count), parents, edges: this.edges.filter((node) => node < count) };
+      return { kind: tree.kind, points: tree.points.subarray(0, 2 * count), parents, edges: this.edgesUpTo(count) };
     });
+  }
+
+  edgesUpTo(count) {
+    const kept = [];
+    for (let i = 0; i < this.edges.length; i += 2) {
+      if (this.edges[i] < count && this.edges[i + 1] < count) kept.push(this.edges[i], this.edges[i + 1]);
+    }
+    return kept;
   }
 
   /** One sentence about what happened last. */
@@ -76,7 +82,7 @@ export class Growth {
     const tree = this.trees[step % this.trees.length];
     const node = Math.max(this.shownOf(tree, step) - 1, 0);
     const parent = tree.parents[node];
-    if (parent < 0 && node === 0) return storyOf(this.planner).idea;
+    if (node === 0) return storyOf(this.planner).idea;
     return storyOf(this.planner).step({ tree: tree.kind, node, parent, runsOn: parent === node - 1 });
   }
 }
