@@ -83,6 +83,6 @@ export class Growth {
     const node = Math.max(this.shownOf(tree, step) - 1, 0);
     const parent = tree.parents[node];
     if (node === 0) return storyOf(this.planner).idea;
-    return storyOf(this.planner).step({ tree: tree.kind, node, parent, runsOn: parent === node - 1 });
+    return storyOf(this.planner).step({ tree: tree.kind, node, parent, runsOn: parent > 0 && parent === node - 1 });
   }
 }

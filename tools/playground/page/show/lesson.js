@@ -1,6 +1,7 @@
 // One picture of a lesson that is alive: the field with the trees of one planner after some steps,
 // which can be stepped on, and whose boxes can be dragged.
 
+import { lastStep, playing } from "player";
 import { Growth } from "./growth.js";
 import { announce } from "./notice.js";
 
@@ -46,6 +47,8 @@ class Lesson {
     by("lesson-step").setAttribute("aria-valuetext", `${shown} of ${total}`);
     this.view.trees = this.growth.at(shown);
     this.view.tell(this.problem, shown === total && answer.status === "solved" ? answer.states : null);
+    playing.position = lastStep(); // the whole path is drawn, with what moves at its end
+    this.view.paint({ ground: true });
     const sentence = this.growth.sentence(shown);
     by("lesson-sentence").textContent = sentence;
     announce(sentence);

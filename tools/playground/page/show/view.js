@@ -154,9 +154,12 @@ export class View {
 
   writeReadouts(state) {
     const solved = story.states > 0;
-    for (const id of ["playback", "readouts", "plots"]) by(id).classList.toggle("idle", !solved);
+    for (const id of ["playback", "plots"]) by(id).classList.toggle("idle", !solved);
+    by("plots").classList.toggle("stale", !this.measured);
+    if (!solved || !this.measured) for (const name of ["clearance", "area", "turn"]) put(`out-${name}`, "\u2013");
     if (!solved) {
-      for (const name of ["step", "cost", "clearance", "area", "turn"]) put(`out-${name}`, "\u2013");
+      for (const name of ["out-step", "out-cost"]) put(name, "\u2013");
+      for (const name of ["of-steps", "of-cost"]) put(name, "");
       return;
     }
     put("out-step", `${state}`);
