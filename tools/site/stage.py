@@ -40,7 +40,7 @@ def alive(text, page):
     """The text with its pictures of the playground replaced by the playground itself, in frames."""
     playground = "../" * (len(page.parts) - 1) + "_static/" + pathlib.Path(PLAYGROUND).name
     return ALIVE.sub(
-        rf'<iframe src="{playground}?\3" title="\1" width="\2" height="700" loading="lazy"></iframe>', text
+        rf'<iframe src="{playground}?\3" title="\1" width="\2" height="700" style="max-width: 100%; border: 0" loading="lazy"></iframe>', text
     )
 
 

@@ -13,7 +13,7 @@ const by = (id) => document.getElementById(id);
 
 /** Shows what planning has: one problem with its own path, or with none. */
 function presenter({ engine, view, editor, marks }) {
-  let why = null;
+  let [why, told] = [null, ""];
   view.extra.unshift((context) => paintWhy(context, why));
 
   /** Asks for the measures of the path on show, unless another one has come since. */
@@ -27,7 +27,9 @@ function presenter({ engine, view, editor, marks }) {
     const solved = shown.state === "solved";
     why = shown.state === "infeasible" ? whyOf(shown.problem) : null;
     const headline = writeVerdict(shown, done, captionOf(why));
-    if (shown.state !== "planning") announce(headline);
+    // A path that gets shorter is no news to those who hear the page.
+    if (shown.state !== "planning" && headline !== told) announce(headline);
+    told = headline;
     if (done && solved) return;
     view.tell(shown.problem, solved ? shown.answer.states : null);
     if (shown.state === "invalid ends") marks.look(shown.problem);
