@@ -94,7 +94,8 @@ export class View {
     this.measured = true;
     const degrees = turn.map((angle) => (angle * 180) / Math.PI);
     for (const [name, values] of Object.entries({ clearance, area, turn: degrees })) {
-      const useful = values.length > 0 && Number.isFinite(values[0]);
+      // Only chains have requirements on their shape.
+      const useful = Number.isFinite(values[0]) && (name === "clearance" || story.body === "chain");
       by(`plot-${name}`).hidden = by(`label-${name}`).hidden = !useful;
       if (!useful) continue;
       plots[name].values = values;
