@@ -11,8 +11,8 @@ namespace asv::core {
 /// (retrieve and repair: Berenson, Abbeel and Goldberg, 2012). The path is then shortened and
 /// checked like every other. Where it cannot be mended, the planner starts from nothing.
 ///
-/// The last path may be that of any problem, valid or not; one of another number of ASVs is of no
-/// use and is not looked at. Throws what solve() throws.
+/// The last path may be that of any problem, valid or not; one of another number of ASVs, or
+/// with coordinates that are not finite, is not looked at. Throws what solve() throws.
 SolveResult replan(const Problem& problem, const Path& last_path, const SolveOptions& options = {});
 
 }  // namespace asv::core

@@ -1,5 +1,7 @@
 #include "core/solve/stages/mend_path.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace asv::core {
@@ -11,6 +13,12 @@ namespace {
 constexpr std::size_t iterations_to_join = 300;
 /// Of so many states of the last path one is looked at.
 constexpr std::size_t states_for_each_row = 4;
+
+bool is_finite(const Path& path) {
+    return std::all_of(path.points().begin(), path.points().end(), [](const Point& point) {
+        return std::isfinite(point.x) && std::isfinite(point.y);
+    });
+}
 
 Path thinned(const Path& path) {
     Path thin(path.asv_count());
@@ -24,7 +32,8 @@ Path thinned(const Path& path) {
 
 std::optional<RaceResult> mend_path(const SolveCall& call, const Path& last,
                                     SolveStatistics& statistics) {
-    if (last.empty() || last.asv_count() != call.problem.asv_count()) return std::nullopt;
+    if (last.empty() || last.asv_count() != call.problem.asv_count() || !is_finite(last))
+        return std::nullopt;
     Limits limits;
     limits.deadline = call.deadline;
     limits.stop = call.options.stop;
