@@ -70,6 +70,8 @@ if [ "$what" = test ] || [ "$what" = ci ]; then
     packages+=("${test_packages[@]}" "${manual_packages[@]}")
     # A browser to open the player in, and what drives it; other sources of node serve as well.
     command -v chromium > /dev/null || packages+=(chromium)
+fi
+if [ "$what" = test ] || [ "$what" = ci ] || [ "$what" = playground ]; then
     command -v node > /dev/null || packages+=(nodejs)
     command -v npm > /dev/null || packages+=(npm)
 fi

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Makes the playground: installs what it needs, compiles the planner for a browser, and puts the engine and
-# its worker into build/playground/engine/ (docs/playground.md).
+# Makes the playground: installs what it needs, compiles the planner for a browser, and makes the page
+# build/playground/asv-playground.html, which opens from disk, beside the engine and its worker in
+# build/playground/engine/ (docs/playground.md).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,3 +14,13 @@ cmake -S tools/playground/engine -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_COMPILER_LAUNCHER="$(command -v ccache || true)"
 cmake --build $build
 node tools/playground/build.mjs $build build/playground
+
+# What joins the page comes from npm, anew only when the lock file has changed.
+packages=build/playground/npm
+if ! cmp --silent tools/playground/package-lock.json $packages/node_modules/.lock-used; then
+    mkdir -p $packages
+    cp tools/playground/package.json tools/playground/package-lock.json $packages/
+    npm ci --prefix $packages --no-audit --no-fund --loglevel error
+    cp tools/playground/package-lock.json $packages/node_modules/.lock-used
+fi
+node tools/playground/bundle.mjs build/playground/engine build/playground

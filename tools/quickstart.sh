@@ -20,3 +20,8 @@ echo
 echo "Solution: $out/7ASV-solution.txt"
 echo "Picture:  $out/7ASV.svg"
 echo "Player:   $out/7ASV.html (open it in a browser)"
+if [ -f build/playground/asv-playground.html ]; then
+    echo "Playground: build/playground/asv-playground.html (move an obstacle, and the path follows)"
+else
+    echo "Playground: tools/playground.sh makes a page on which you move an obstacle and the path follows"
+fi

@@ -26,4 +26,6 @@ doxygen "$out/Doxyfile"
 "$python" -B tools/site/stage.py . "$out/doxygen/xml" "$out/source"
 "$python" -m sphinx -q -W --keep-going -j auto -b html -c tools/site -d "$out/doctrees" \
     -D "breathe_projects.asv=$out/doxygen/xml" "$out/source" "$out/html"
+# Where tools/playground.sh has been run, the pictures of the lesson about it are alive.
+[ ! -f build/playground/asv-playground.html ] || cp build/playground/asv-playground.html "$out/html/_static/"
 echo "$out/html/index.html"

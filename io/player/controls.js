@@ -1,29 +1,6 @@
-// The player: which step is shown, what moves it, and the figures beside the field.
-
-const by = (id) => document.getElementById(id);
-
-const last = story.lastStep;
-const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
-
-/** position is a step of the path with its fraction; direction is 1, -1, or 0 while paused. */
-const playing = { position: 0, direction: 0, speed: 1, before: 0 };
+// The player: the figures beside the field, and what the buttons and keys do.
 
 const plots = makePlots();
-
-/** The index of the state that is shown. */
-const now = () => stateNear(Math.round(playing.position));
-
-const grouped = (number) => number.toLocaleString("en-US");
-
-/** The speed 1 takes 20 seconds for the whole path, within what the eye can follow. */
-const stepsPerSecond = () => clamp(last / 20, 30, 1500) * playing.speed;
-
-function fillSpeeds() {
-  for (const speed of [0.05, 0.1, 0.25, 0.5, 1, 2, 4, 8, 16]) {
-    by("speed").add(new Option(`${speed}\u00d7`, speed, false, speed === (reducedMotion.matches ? 0.25 : 1)));
-  }
-  playing.speed = Number(by("speed").value);
-}
 
 function describeViolations(state) {
   return (story.violated.get(state) || []).map((v) => `${v.check}: ${v.sentence}`);
@@ -63,9 +40,9 @@ function writeReadouts(state) {
 }
 
 function writeTotals() {
-  put("of-steps", `of ${grouped(last)}`);
-  by("held").hidden = story.states === last + 1;
-  put("held", `This page holds ${grouped(story.states)} of ${grouped(last + 1)} states: of each short stretch of the path the ` +
+  put("of-steps", `of ${grouped(lastStep())}`);
+  by("held").hidden = story.states === lastStep() + 1;
+  put("held", `This page holds ${grouped(story.states)} of ${grouped(lastStep() + 1)} states: of each short stretch of the path the ` +
     "first one and those with the least clearance, the least area, the tightest turn and a violation.");
   put("of-cost", `of ${story.totalCost.toFixed(4)}`);
   put("of-area", `minimum ${story.minimumArea.toFixed(6)}`);
@@ -82,79 +59,15 @@ function show({ ground = false } = {}) {
   for (const plot of plots) plot.paint(state);
   writeReadouts(state);
   by("scrub").value = story.steps[state];
-  by("scrub").setAttribute("aria-valuetext", `step ${grouped(story.steps[state])} of ${grouped(last)}`);
+  by("scrub").setAttribute("aria-valuetext", `step ${grouped(story.steps[state])} of ${grouped(lastStep())}`);
 }
 
 /** For those who hear the page; never while playing, or it would not stop talking. */
 function announce() {
   const state = now();
-  put("announce", [`Step ${grouped(story.steps[state])} of ${grouped(last)}`, `cost ${story.cost[state].toFixed(4)}`,
+  put("announce", [`Step ${grouped(story.steps[state])} of ${grouped(lastStep())}`, `cost ${story.cost[state].toFixed(4)}`,
     ...describeViolations(state)].join(", "));
 }
-
-function writePlaying() {
-  const forward = playing.direction > 0;
-  by("playback").classList.toggle("playing", forward);
-  by("play").setAttribute("aria-label", forward ? "Pause" : "Play");
-  by("rewind").setAttribute("aria-pressed", String(playing.direction < 0));
-}
-
-function pause() {
-  playing.direction = 0;
-  writePlaying();
-  announce();
-}
-
-function play(direction) {
-  if (last === 0) return;
-  if (direction > 0 && playing.position >= last) playing.position = 0;
-  if (direction < 0 && playing.position <= 0) return;
-  playing.direction = direction;
-  playing.before = performance.now();
-  writePlaying();
-  requestAnimationFrame(advance);
-}
-
-function advance(time) {
-  if (playing.direction === 0) return;
-  // A tab that was away for long goes on where it was, not seconds later.
-  const seconds = clamp((time - playing.before) / 1000, 0, 0.1);
-  playing.before = time;
-  const next = playing.position + playing.direction * seconds * stepsPerSecond();
-  playing.position = clamp(next, 0, last);
-  show();
-  if (playing.position === next) requestAnimationFrame(advance);
-  else pause();
-}
-
-const toggle = (direction) => (playing.direction === direction ? pause() : play(direction));
-
-/** Shows one state, by its index, and stays there. */
-function goToState(state) {
-  if (story.states === 0) return;
-  playing.position = story.steps[clamp(state, 0, story.states - 1)];
-  show();
-  pause();
-}
-
-/** Shows one step, or the nearest to it that the page holds. */
-const goTo = (step) => goToState(stateNear(clamp(step, 0, last)));
-
-/** The bar has all steps: one move of it leads to another state, also where steps are left out. */
-function followBar() {
-  const step = Number(by("scrub").value);
-  const state = stateNear(step);
-  goToState(state === now() ? state + Math.sign(step - story.steps[state]) : state);
-}
-
-const commands = {
-  "to-start": () => goTo(0),
-  "rewind": () => toggle(-1),
-  "step-back": () => goToState(now() - 1),
-  "play": () => toggle(1),
-  "step-on": () => goToState(now() + 1),
-  "to-end": () => goTo(last),
-};
 
 const keysEverywhere = { " ": "play", ArrowLeft: "step-back", ArrowRight: "step-on", Home: "to-start", End: "to-end" };
 
@@ -221,7 +134,7 @@ function writePage() {
   put("verdict", `${story.valid ? "\u2713" : "\u2717"} ${story.verdict}`);
   by("verdict").classList.toggle("bad", !story.valid);
   by("trees-toggle").hidden = story.trees.length === 0;
-  by("scrub").max = last;
+  by("scrub").max = lastStep();
   writeAlarm();
   writeLegend();
   fillSpeeds();

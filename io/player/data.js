@@ -106,6 +106,9 @@ function stateNear(step) {
   return story.steps[after] - step < step - story.steps[after - 1] ? after : after - 1;
 }
 
+/** With a comma between thousands. */
+const grouped = (number) => number.toLocaleString("en-US");
+
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
 /** The points [x, y, x, y, ...] of the chain in one state. */

@@ -32,6 +32,6 @@ file(WRITE ${OUTPUT}.new "#include \"io/player/assets.hpp\"\n\nnamespace asv::io
 append_literal(page player.html)
 append_literal(gallery gallery.html)
 append_literal(style player.css)
-append_literal(script data.js camera.js field.js moving.js plots.js legend.js controls.js)
+append_literal(script data.js camera.js field.js moving.js plots.js playback.js legend.js controls.js)
 file(APPEND ${OUTPUT}.new "}  // namespace asv::io::assets\n")
 file(RENAME ${OUTPUT}.new ${OUTPUT})

@@ -81,8 +81,8 @@ test("a frame paints a bounded number of points, however long the path", async (
       goTo(to);
       return points;
     };
-    cost(0, last);
-    return { whole: cost(0, last), on: cost(15000, 15025), back: cost(15025, 15000), far: cost(last, 15000) };
+    cost(0, lastStep());
+    return { whole: cost(0, lastStep()), on: cost(15000, 15025), back: cost(15025, 15000), far: cost(lastStep(), 15000) };
   });
   record({ "points painted": counts });
   assert.ok(counts.on <= 15 * 30, "going on paints what is new");

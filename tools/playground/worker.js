@@ -12,7 +12,8 @@
 //                                -> {status, reason, cost, bound, seconds: {first, total, check}, states, valid, violation,
 //                                    history: [[seconds, cost]], trees: null | {start: tree, goal: tree}}
 //                                   status: "solved", "not found", "infeasible", "invalid ends" or "interrupted";
-//                                   tree: {points: states (of ASV 1, the tip or the point), parents: Int32Array}
+//                                   tree: {points: states (of ASV 1, the tip or the point), parents: Int32Array};
+//                                   a roadmap is {start: tree without parents, edges: pairs of nodes, one after the other}
 //                                   with progress, {cost, states} after each slice that found a better path
 //   validate {problem, states}   -> {valid, checks: [{name, ok, text}], cost}
 //   profile  {problem, states}   -> {clearance, area, turn, cost}: Float64Arrays, one number for each state

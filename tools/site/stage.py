@@ -15,6 +15,8 @@ import reference
 
 HERE = pathlib.Path(__file__).parent
 TOP_PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "testcases/README.md"]
+PLAYGROUND = "build/playground/asv-playground.html"
+ALIVE = re.compile(r'<img src="[^"]*" alt="([^"]*)" width="(\d+)" data-alive="([^"]*)">')
 LINK = re.compile(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)|(?:src|srcset)=\"([^\"]+)\"")
 
 
@@ -34,10 +36,20 @@ def adapted(text):
     return re.sub(r"^```walk$", "```text", text, flags=re.MULTILINE)
 
 
+def alive(text, page):
+    """The text with its pictures of the playground replaced by the playground itself, in frames."""
+    playground = "../" * (len(page.parts) - 1) + "_static/" + pathlib.Path(PLAYGROUND).name
+    return ALIVE.sub(
+        rf'<iframe src="{playground}?\3" title="\1" width="\2" height="700" style="max-width: 100%; border: 0" loading="lazy"></iframe>', text
+    )
+
+
 def stage_pages(root, out):
     """Copies the pages and the files that they link to."""
     for page in pages(root):
         text = (root / page).read_text()
+        if (root / PLAYGROUND).is_file():
+            text = alive(text, page)
         target = out / page
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(adapted(text))

@@ -68,6 +68,10 @@ void add_trees(const core::SolveResult& result, Answer& answer) {
         answer.add(member + "points", std::move(points));
         answer.add(member + "parents", {tree.parents.begin(), tree.parents.end()});
     }
+    if (result.edges.empty()) return;
+    std::vector<double> edges;
+    for (const auto& edge : result.edges) edges.insert(edges.end(), edge.begin(), edge.end());
+    answer.add("trees.edges", std::move(edges));
 }
 
 Json history_of(const core::SolveStatistics& statistics) {
