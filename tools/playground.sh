@@ -7,12 +7,12 @@ cd "$(dirname "$0")/.."
 
 tools/install_packages.sh playground
 # Emscripten is a program of Python and node: Debian's, which know its modules.
-export PATH=/usr/bin:/bin EMSDK_PYTHON=/usr/bin/python3 NODE_PATH=/usr/share/nodejs
+with_debian=(env PATH=/usr/bin:/bin EMSDK_PYTHON=/usr/bin/python3 NODE_PATH=/usr/share/nodejs)
 build=build/playground/wasm
-cmake -S tools/playground/engine -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release \
+"${with_debian[@]}" cmake -S tools/playground/engine -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_TOOLCHAIN_FILE=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake \
     -DCMAKE_CXX_COMPILER_LAUNCHER="$(command -v ccache || true)"
-cmake --build $build
+"${with_debian[@]}" cmake --build $build
 node tools/playground/build.mjs $build build/playground
 
 # What joins the page comes from npm, anew only when the lock file has changed.

@@ -61,7 +61,8 @@ for name in "${presets[@]}"; do
     cmake --build --preset "$build"
     report=build/$build/$name-tests.xml
     code=0
-    ctest --preset "$name" -j "$(nproc)" --output-junit "$PWD/$report" || code=$?
+    # Many tests wait for a process most of their time.
+    ctest --preset "$name" -j "$((2 * $(nproc)))" --output-junit "$PWD/$report" || code=$?
     skipped "$report"
     [ "$python" = ON ] || [ -z "$python_lacks" ] || echo "No Python module: missing$python_lacks"
     [ "$code" -eq 0 ] || exit "$code"

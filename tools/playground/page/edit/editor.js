@@ -83,8 +83,6 @@ export class Editor {
   }
 
   hover(event) {
-    const [x, y] = planeOf(pixelsOf(event, stage));
-    document.getElementById("coordinates").textContent = `${x.toPrecision(4)}, ${y.toPrecision(4)}`;
     const found = this.drawing ? null : hit(...pixelsOf(event, stage), mouseReach, this.model.selection);
     stage.style.cursor = this.drawing ? "crosshair" : !found ? "" : found.part === "move" ? "move" : "pointer";
   }
