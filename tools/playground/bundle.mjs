@@ -19,7 +19,7 @@ const playerScripts = ["data.js", "camera.js", "field.js", "moving.js", "plots.j
 
 /** They share one scope and export nothing; here they are one module that exports every name. */
 function playerModule() {
-  const scripts = playerScripts.map((name) => text(root, "io/player", name)).join("\n").replace('"use strict";\n', "");
+  const scripts = playerScripts.map((name) => text(root, "io/player/page", name)).join("\n").replace('"use strict";\n', "");
   const names = [...scripts.matchAll(/^(?:const|let|class|function) (\w+)/gm)].map((match) => match[1]);
   return `import { announce, show } from ${JSON.stringify(join(here, "page/show/playback.js"))};\n${scripts}\nexport { ${names.join(", ")} };\n`;
 }
@@ -60,12 +60,12 @@ function engineText() {
 }
 
 /** A group of the player's controls, as its page has them. */
-const controls = (name) => text(root, "io/player/player.html").match(new RegExp(`<div class="${name}"[^]*?</div>`))[0];
+const controls = (name) => text(root, "io/player/page/player.html").match(new RegExp(`<div class="${name}"[^]*?</div>`))[0];
 
 const parts = {
   TRANSPORT: controls("transport"),
   ZOOM: controls("zoom"),
-  STYLE: text(root, "io/player/player.css") + text(here, "page/style.css"),
+  STYLE: text(root, "io/player/page/player.css") + text(here, "page/style.css"),
   ENGINE: engineText(),
   SCRIPT: await script(),
 };

@@ -206,7 +206,7 @@ TEST(Palette, MeetsTheContrastThatItPromises) {
 }
 
 TEST(Palette, IsTheOneOfThePlayer) {
-    std::ifstream file(std::string(ASV_SOURCE_DIR) + "/io/player/player.css");
+    std::ifstream file(std::string(ASV_SOURCE_DIR) + "/io/player/page/player.css");
     std::stringstream css;
     css << file.rdbuf();
     const std::string text = css.str();

@@ -15,8 +15,10 @@ export async function openPlayground({ hash = "", ...options } = {}) {
   return page;
 }
 
-/** Waits for one of the states of <body data-state>: "solved", "infeasible", "invalid ends", "unknown". */
-export const waitFor = (page, state) => page.waitForFunction((wanted) => document.body.dataset.state === wanted, state, { timeout: 60000 });
+/** Waits until the problem as it is now has one of the states of <body data-state>: "solved", "infeasible", "invalid ends", "unknown". */
+export const waitFor = (page, state) => page.waitForFunction(
+  (wanted) => document.body.dataset.state === wanted && playground.planning.shown.version === playground.model.version,
+  state, { timeout: 60000 });
 
 /** Opens an example by its name and waits for its verdict. */
 export async function openExample(page, name, state = "solved") {

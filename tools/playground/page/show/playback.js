@@ -10,9 +10,12 @@ export const show = () => listeners.show();
 /** The playback stands still at a step. */
 export const announce = () => listeners.announce(now(), lastStep());
 
-/** Call when the story has another path: the same share of the way is shown. */
-export function keepShare(statesBefore) {
-  playing.position = statesBefore > 1 ? (playing.position / (statesBefore - 1)) * lastStep() : 0;
+let lastStepBefore = 0;
+
+/** Call when the story has another path: the same share of the way is shown, also where there was no path in between. */
+export function keepShare() {
+  playing.position = lastStepBefore > 0 ? (playing.position / lastStepBefore) * lastStep() : 0;
+  lastStepBefore = lastStep();
   by("scrub").max = lastStep();
 }
 

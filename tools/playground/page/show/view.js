@@ -74,7 +74,6 @@ export class View {
 
   /** Tells the story of a problem with its path, or with none (states null). */
   tell(problem, states) {
-    const before = story.states;
     const windowBefore = String(story.bounds);
     Object.assign(story, problemStory(problem), { trees: this.trees });
     const columns = columnsOf(problem);
@@ -89,7 +88,7 @@ export class View {
     this.measured = false;
     sparse.scale = 0; // the ways were thinned for the path before this one
     if (windowBefore !== String(story.bounds)) [camera.x, camera.y] = fieldCentre();
-    if (story.states > 0) keepShare(before > 0 ? before : 0);
+    if (story.states > 0) keepShare();
     this.paint({ ground: true });
   }
 
