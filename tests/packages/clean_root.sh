@@ -23,7 +23,6 @@ cp -r "$project/testcases" "$tree/testcases"
 mkdir "$tree/docs"
 cp -r "$project/docs/examples" "$tree/docs/examples"
 cp -r "$project/tests/house/consumer" "$tree/tests/house/consumer"
-cp -r "$project/tests/tools" "$tree/tests/tools"
 
 kinds='^```sh installed$'
 ! compgen -G "$debs/python3-asv_*.deb" > /dev/null || kinds='^```sh installed( python)?$'
@@ -37,8 +36,9 @@ if ! in_root "$root" /root/asv 'apt-get update && bash -euvo pipefail commands' 
 fi
 echo "docs/packages.md: $(grep -c . "$tree/commands") lines run in a clean Debian"
 
-# The shell of that Debian completes what is installed in it.
-in_root "$root" /root/asv 'tests/tools/manual/completion.sh bash /usr/share /usr/bin'
+# A shell completes by what is installed there. It is the shell of this machine, since one at a terminal
+# needs devices that a folder has not.
+"$project/tests/tools/manual/completion.sh" bash "$root/usr/share" "$root/usr/bin"
 
 mapfile -t packages < <(for deb in "$debs"/*.deb; do dpkg-deb --field "$deb" Package; done)
 in_root "$root" / "apt-get purge ${packages[*]}" > "$work/log" 2>&1 || { tail "$work/log"; exit 1; }
