@@ -25,11 +25,14 @@ struct SolveCall {
     double time_to_finish;
 
     /// When a search or an improvement that begins now has to end, so that what it finds can still
-    /// be checked and written. On a busy machine that takes longer, but half of the time at most is
-    /// kept for it. Asked in the thread of the call.
+    /// be checked and written. On a busy machine that takes longer, and a disk may keep a file
+    /// waiting: some of a long limit is kept in any case, and of a short one half at most. Asked in
+    /// the thread of the call.
     Clock::time_point deadline() const {
-        return clock.moment_before_end(
-            std::min(time_to_finish * clock.slowdown(), 0.5 * clock.time_limit()));
+        constexpr double share = 0.03, longest_share = 0.3;  // of the limit; seconds
+        const double reserve = std::max(time_to_finish * clock.slowdown(),
+                                        std::min(share * clock.time_limit(), longest_share));
+        return clock.moment_before_end(std::min(reserve, 0.5 * clock.time_limit()));
     }
 
     /// As many as were asked for, but so many for each processor at most: more only wait for each

@@ -118,8 +118,8 @@ TEST(Signals, AHangupThatWasToBeIgnoredIsIgnored) {
     const TemporaryFolder folder;
     std::signal(SIGHUP, SIG_IGN);
     const Outcome outcome = run_program("asv-solve",
-                                        {testcase_file("3ASV.txt"), folder / "s", "--optimize",
-                                         "1000", "--time-limit", "3", "--threads", "1"},
+                                        {testcase_file("3ASV.txt"), folder / "s", "--optimize", "3",
+                                         "--time-limit", "100", "--threads", "1"},
                                         sending({SIGHUP}));
     std::signal(SIGHUP, SIG_DFL);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
