@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { axeScript, close, goTo, number, open, screenshot } from "./browser.mjs";
+import { axeScript, close, goTo, number, open, reachedByTab, screenshot } from "./browser.mjs";
 
 async function audit(page) {
   await page.evaluate(axeScript());
@@ -70,19 +70,7 @@ test("follows a change of the scheme at once", async () => {
 
 test("everything can be reached and used by the keyboard alone", async () => {
   const page = await open("spoilt.html");
-  const reached = [];
-  for (;;) {
-    await page.keyboard.press("Tab");
-    const [id, outlined] = await page.evaluate(() => {
-      const element = document.activeElement;
-      const style = getComputedStyle(element);
-      return [element === document.body ? null : element.id || element.tagName.toLowerCase(),
-              style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 2];
-    });
-    if (id === null) break;
-    assert.ok(outlined, `the focus shows on ${id}`);
-    reached.push(id);
-  }
+  const reached = await reachedByTab(page);
   for (const id of ["stage", "scrub", "to-start", "rewind", "step-back", "play", "step-on", "to-end", "speed",
                     "show-trails", "show-numbers", "zoom-in", "zoom-out", "zoom-fit", "summary", "button"]) {
     assert.ok(reached.includes(id), `${id} is reached; there are ${reached}`);

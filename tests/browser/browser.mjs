@@ -1,6 +1,7 @@
 // One browser for the tests of a file, pages that report whatever should not happen, and a place
 // for screenshots and figures.
 
+import assert from "node:assert/strict";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
@@ -54,6 +55,23 @@ export const text = (page, id) => page.locator(`#${id}`).textContent();
 
 /** A read-out as a number: "1,234" or "0.0123" or "12.3°". */
 export const number = async (page, id) => parseFloat((await text(page, id)).replaceAll(",", ""));
+
+/** Goes through the page by the tab key: what is reached, by id, value or element. The focus has to show on each. */
+export async function reachedByTab(page) {
+  const reached = [];
+  for (;;) {
+    await page.keyboard.press("Tab");
+    const [name, outlined] = await page.evaluate(() => {
+      const element = document.activeElement;
+      const style = getComputedStyle(element);
+      return [element === document.body ? null : element.id || element.value || element.tagName.toLowerCase(),
+              style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 2];
+    });
+    if (name === null) return reached;
+    assert.ok(outlined, `the focus shows on ${name}`);
+    reached.push(name);
+  }
+}
 
 export async function goTo(page, step) {
   await page.locator("#scrub").fill(String(step));

@@ -97,31 +97,13 @@ class ChainSolver : public BodySolver {
                    std::size_t racer) const override {
         const Planner planner = varied(planner_, racer);
         return std::visit(
-            [&](const auto& chosen) {
-                return run(chosen, world_, {world_.start, world_.goal}, limits, rng, observer);
-            },
+            [&](const auto& chosen) { return run(chosen, world_, ends(), limits, rng, observer); },
             planner);
     }
 
     Attempt mend(const Path& last, const Limits& limits, Rng& rng) const override {
-        return std::visit(
-            [&](const auto& chosen) {
-                auto space = space_for(chosen, world_);
-                MotionChecker checker = world_.make_checker();
-                Attempt attempt;
-                const auto search = [&](const Query& query) {
-                    Attempt joint = run(chosen, world_, query, limits, rng, {});
-                    attempt.checks += joint.checks;
-                    return std::move(joint.search);
-                };
-                const auto valid = [&](auto from, auto to) { return checker.valid(from, to); };
-                PathMender mender(space, valid, search);
-                attempt.search =
-                    mender.mend({world_.start, world_.goal}, rows_of(last, space.wrapping()));
-                attempt.checks += {checker.state_checks(), checker.motion_checks()};
-                return attempt;
-            },
-            planner_);
+        return std::visit([&](const auto& chosen) { return mend_with(chosen, last, limits, rng); },
+                          planner_);
     }
 
     double cost(const Configurations& path) const override {
@@ -171,6 +153,26 @@ class ChainSolver : public BodySolver {
     }
 
   private:
+    Query ends() const { return {world_.start, world_.goal}; }
+
+    template <class Chosen>
+    Attempt mend_with(const Chosen& planner, const Path& last, const Limits& limits,
+                      Rng& rng) const {
+        auto space = space_for(planner, world_);
+        MotionChecker checker = world_.make_checker();
+        Attempt attempt;
+        const auto search = [&](const Query& query) {
+            Attempt joint = run(planner, world_, query, limits, rng, {});
+            attempt.checks += joint.checks;
+            return std::move(joint.search);
+        };
+        const auto valid = [&](auto from, auto to) { return checker.valid(from, to); };
+        PathMender mender(space, valid, search);
+        attempt.search = mender.mend(ends(), rows_of(last, space.wrapping()));
+        attempt.checks += {checker.state_checks(), checker.motion_checks()};
+        return attempt;
+    }
+
     /// The configurations of a path, their angles unwrapped alike.
     Configurations rows_of(const Path& path, WrappingAngles angles) const {
         std::vector<double> row(world_.start), before(world_.start);

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { axeScript, close, screenshot, text } from "../../browser/browser.mjs";
+import { axeScript, close, reachedByTab, screenshot, text } from "../../browser/browser.mjs";
 import { openExample, openPlayground, placeOf, problemOf, waitFor } from "./page.mjs";
 
 for (const colorScheme of ["light", "dark"]) {
@@ -23,19 +23,7 @@ test("everything can be reached by the keyboard, and the focus shows", async () 
   const page = await openPlayground();
   await waitFor(page, "solved");
   await page.evaluate(() => document.querySelectorAll("details").forEach((element) => { element.open = true; }));
-  const reached = [];
-  for (;;) {
-    await page.keyboard.press("Tab");
-    const [id, outlined] = await page.evaluate(() => {
-      const element = document.activeElement;
-      const style = getComputedStyle(element);
-      return [element === document.body ? null : element.id || element.value || element.tagName.toLowerCase(),
-              style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 2];
-    });
-    if (id === null) break;
-    assert.ok(outlined, `the focus shows on ${id}`);
-    reached.push(id);
-  }
+  const reached = await reachedByTab(page);
   for (const id of ["draw", "undo", "grid", "stage", "scrub", "play", "speed", "show-trails", "zoom-in", "example", "body", "count", "planner",
                     "thing", "open", "save-problem", "save-scenario", "save-solution", "share", "link", "grow", "grow-seed", "grow-speed"]) {
     assert.ok(reached.includes(id) || id === "undo", `${id} is reached; there are ${reached}`);
