@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/benchmark/machine_unit.hpp"
@@ -159,32 +160,49 @@ struct Output {
     std::string content;
 };
 
-std::vector<Output> files_of(const Arguments& arguments, const io::BenchmarkReport& report) {
+/// All but the plots; pipes and devices come last, since one that nobody reads must not keep the
+/// files waiting.
+std::vector<Output> outputs_of(const Arguments& arguments, const io::BenchmarkReport& report) {
     std::vector<Output> outputs;
     const auto add = [&](const std::string& file, auto make) {
         if (!file.empty()) outputs.push_back({file, make(report)});
     };
-    if (arguments.table != "-") add(arguments.table, io::markdown_table);
     add(arguments.csv, io::runs_csv);
     add(arguments.json, io::runs_json);
     add(arguments.database, io::arena_database);
-    if (arguments.ompl_log.empty()) return outputs;
-    const bool several = report.plan.problems.size() * report.plan.directions.size() > 1;
-    for (const io::Experiment& experiment : io::experiments(report))
-        outputs.push_back({io::ompl_log_file(arguments.ompl_log, experiment, several),
-                           io::ompl_log(report, experiment)});
+    add(arguments.table, io::markdown_table);
+    if (!arguments.ompl_log.empty()) {
+        const bool several = report.plan.problems.size() * report.plan.directions.size() > 1;
+        for (const io::Experiment& experiment : io::experiments(report))
+            outputs.push_back({io::ompl_log_file(arguments.ompl_log, experiment, several),
+                               io::ompl_log(report, experiment)});
+    }
+    std::stable_partition(outputs.begin(), outputs.end(),
+                          [](const Output& output) { return !asv::tools::is_stream(output.file); });
     return outputs;
+}
+
+/// Who has interrupted the program does not want to wait for somebody to read what it writes.
+void end_without_a_reader(const Output& output) {
+    constexpr std::chrono::milliseconds to_begin{100};
+    constexpr std::size_t bytes_per_millisecond = 10'000;
+    const std::chrono::milliseconds to_read(output.content.size() / bytes_per_millisecond);
+    asv::tools::end_anyway_after(to_begin + to_read, static_cast<int>(ExitCode::interrupted));
 }
 
 /// Writes what the runs came to, and only then draws it: a plot that fails must not cost the
 /// results.
-void write_results(const Arguments& arguments, const io::BenchmarkReport& report) {
-    for (const Output& output : files_of(arguments, report))
+void write_results(const Arguments& arguments, const io::BenchmarkReport& report,
+                   bool interrupted) {
+    const auto write = [&](const Output& output) {
+        if (interrupted && asv::tools::is_stream(output.file)) end_without_a_reader(output);
         io::write_file(output.file, output.content);
-    if (arguments.table == "-") std::cout << io::markdown_table(report) << std::flush;
+        asv::tools::do_not_end_anyway();
+    };
+    for (const Output& output : outputs_of(arguments, report)) write(output);
     const io::Theme theme = arguments.theme == "dark" ? io::Theme::dark : io::Theme::light;
     for (const path& file : arguments.plots)
-        io::write_file(file, io::draw_benchmark(report, format_of(file), theme));
+        write({file, io::draw_benchmark(report, format_of(file), theme)});
 }
 
 /// Finds out before an hour of runs that their results have no place to go.
@@ -197,7 +215,12 @@ void require_places(const Arguments& arguments) {
         if (!file.empty()) io::require_writable(file);
 }
 
-std::vector<core::BenchmarkRun> run_all(core::BenchmarkPlan& plan, bool quiet) {
+struct Runs {
+    std::vector<core::BenchmarkRun> done;
+    bool interrupted = false;
+};
+
+Runs run_all(core::BenchmarkPlan& plan, bool quiet) {
     asv::tools::RunLauncher launcher(plan);
     plan.jobs = launcher.jobs();
     const asv::tools::InterruptWatch interrupt;
@@ -208,7 +231,8 @@ std::vector<core::BenchmarkRun> run_all(core::BenchmarkPlan& plan, bool quiet) {
     watch.perform = [&](const core::BenchmarkPlan&, const core::RunPlace& place,
                         const std::stop_token& abort) { return launcher.run(place, abort); };
     watch.abort = interrupt.token();
-    return core::run_benchmark(plan, watch);
+    std::vector<core::BenchmarkRun> done = core::run_benchmark(plan, watch);
+    return {std::move(done), watch.abort.stop_requested()};
 }
 
 /// Reports a run that must not be: its message and the command that repeats it.
@@ -239,7 +263,8 @@ ExitCode bench(const CommandLine& command_line, Arguments& arguments) {
                       std::thread::hardware_concurrency(), std::chrono::system_clock::now()};
     const auto begun = core::Clock::now();
     report.session.unit_before = core::seconds_per_million_checks();
-    report.runs = run_all(plan, command_line.quiet());
+    Runs runs = run_all(plan, command_line.quiet());
+    report.runs = std::move(runs.done);
     for (const core::BenchmarkRun& run : report.runs)
         if (!run.fault.empty()) return report_fault(plan, run);
     if (report.runs.empty()) {
@@ -247,13 +272,12 @@ ExitCode bench(const CommandLine& command_line, Arguments& arguments) {
         return ExitCode::interrupted;
     }
     // Who has interrupted the runs does not want to wait for another measurement.
-    report.session.unit_after = report.runs.size() < core::run_count(plan)
-                                    ? report.session.unit_before
-                                    : core::seconds_per_million_checks();
+    report.session.unit_after =
+        runs.interrupted ? report.session.unit_before : core::seconds_per_million_checks();
     report.session.total = std::chrono::duration<double>(core::Clock::now() - begun).count();
     report.plan = std::move(plan);
 
-    write_results(arguments, report);
+    write_results(arguments, report, runs.interrupted);
     return ExitCode::done;
 }
 

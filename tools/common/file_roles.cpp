@@ -52,6 +52,12 @@ std::optional<Identity> identity_of(const fs::path& file, bool output) {
 
 }  // namespace
 
+bool is_stream(const fs::path& file) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    return file == io::standard_stream || (!error && exists(status) && !is_regular_file(status));
+}
+
 void FileRoles::add_input(const std::string& role, const fs::path& file) {
     if (!file.empty()) roles_.push_back({role, file, false});
 }

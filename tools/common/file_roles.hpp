@@ -8,6 +8,9 @@
 
 namespace asv::tools {
 
+/// A pipe or a device, to which writing may wait for a reader.
+bool is_stream(const std::filesystem::path& file);
+
 /// The files that one run of a program reads and writes, and what each is to it.
 class FileRoles {
   public:

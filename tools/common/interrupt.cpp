@@ -64,6 +64,11 @@ void end_anyway_after(std::chrono::milliseconds time, int exit_code) {
     ::setitimer(ITIMER_REAL, &once, nullptr);
 }
 
+void do_not_end_anyway() {
+    const itimerval never{};
+    ::setitimer(ITIMER_REAL, &never, nullptr);
+}
+
 SignalThread::SignalThread(const Watch& watch) : set_(interrupting_signals()) {
     sigaddset(&set_, wake_up_signal);
     pthread_sigmask(SIG_BLOCK, &set_, nullptr);

@@ -21,6 +21,9 @@ void end_on_interrupt();
 /// not outlast this either.
 void end_anyway_after(std::chrono::milliseconds time, int exit_code);
 
+/// Calls that off.
+void do_not_end_anyway();
+
 /// Ends the wait of a SignalThread, when nothing has interrupted it.
 inline constexpr int wake_up_signal = SIGUSR1;
 

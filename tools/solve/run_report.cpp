@@ -5,7 +5,6 @@
 #include <iomanip>
 #include <iostream>
 #include <sstream>
-#include <system_error>
 
 #include <sys/resource.h>
 
@@ -14,6 +13,7 @@
 #include "io/solution/trees_file.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/escape.hpp"
+#include "tools/common/file_roles.hpp"
 #include "tools/common/interrupt.hpp"
 
 namespace asv::tools {
@@ -157,12 +157,6 @@ std::string progress_text(const core::SolveProgress& progress) {
              << progress.search.nodes[1];
     text << "  " << progress.elapsed << " s";
     return text.str();
-}
-
-bool is_stream(const std::string& file) {
-    std::error_code error;
-    const auto status = std::filesystem::status(file, error);
-    return file == "-" || (!error && exists(status) && !is_regular_file(status));
 }
 
 int give_up(const SolveArguments& arguments, const CutOff& at, SolveStatus status) {

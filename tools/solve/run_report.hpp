@@ -32,9 +32,6 @@ void warn_of_idle_settings(const SolveArguments& arguments, const core::Problem&
 /// One line while it runs.
 std::string progress_text(const core::SolveProgress& progress);
 
-/// A pipe or a device, to which writing may wait for a reader.
-bool is_stream(const std::string& file);
-
 /// The last words of a run that is cut off while its main thread is still busy: the statistics,
 /// where they are not there yet, and a line on standard error. status: of the run, where it has
 /// come to one. Returns the exit code; ends the process with it where nobody reads the words.

@@ -87,6 +87,19 @@ TEST_P(EverySignal, EndsABenchmarkWithItsResultsWritten) {
     EXPECT_NE(io::read_file(csv).find("3ASV"), std::string::npos);
 }
 
+TEST_P(EverySignal, EndsABenchmarkWhoseResultsNobodyReads) {
+    const TemporaryFolder folder;
+    const std::string csv = folder / "runs.csv", pipe = pipe_in(folder);
+    Surroundings surroundings = sending({GetParam()});
+    surroundings.before_each_signal = 3000;
+    const Outcome outcome = run_program("asv-bench",
+                                        {testcase_file("3ASV.txt"), "--seeds", "1000000",
+                                         "--optimize", "0", "--json", pipe, "--csv", csv},
+                                        surroundings);
+    EXPECT_EQ(outcome.exit_code, interrupted) << outcome.err;
+    EXPECT_NE(io::read_file(csv).find("3ASV"), std::string::npos) << "files do not wait for it";
+}
+
 INSTANTIATE_TEST_SUITE_P(Ours, EverySignal, testing::Values(SIGINT, SIGTERM, SIGHUP));
 
 /// An arm of so many links that its steps alone take minutes.
