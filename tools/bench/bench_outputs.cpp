@@ -1,0 +1,131 @@
+#include "tools/bench/bench_outputs.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "io/benchmark/arena_database.hpp"
+#include "io/benchmark/ompl_log.hpp"
+#include "io/benchmark/plot/plot.hpp"
+#include "io/benchmark/runs_csv.hpp"
+#include "io/benchmark/runs_json.hpp"
+#include "io/benchmark/table.hpp"
+#include "io/text/atomic_file.hpp"
+#include "tools/common/interrupt.hpp"
+
+namespace asv::tools {
+
+namespace {
+
+using std::filesystem::path;
+
+io::PictureFormat format_of(const path& file) {
+    const std::string ending = file.extension().string();
+    if (ending == ".svg" || file == io::standard_stream) return io::PictureFormat::svg;
+    if (ending == ".png") return io::PictureFormat::png;
+    if (ending == ".pdf") return io::PictureFormat::pdf;
+    throw UsageError("--plot " + file.string() + ": must end in .svg, .png or .pdf");
+}
+
+/// A file to write, and its content.
+struct Output {
+    path file;
+    std::string content;
+};
+
+/// All but the plots; pipes and devices come last, since one that nobody reads must not keep the
+/// files waiting.
+std::vector<Output> results_for(const BenchOutputs& outputs, const io::BenchmarkReport& report) {
+    std::vector<Output> results;
+    const auto add = [&](const std::string& file, auto make) {
+        if (!file.empty()) results.push_back({file, make(report)});
+    };
+    add(outputs.csv, io::runs_csv);
+    add(outputs.json, io::runs_json);
+    add(outputs.database, io::arena_database);
+    add(outputs.table, io::markdown_table);
+    if (!outputs.ompl_log.empty()) {
+        const bool several = report.plan.problems.size() * report.plan.directions.size() > 1;
+        for (const io::Experiment& experiment : io::experiments(report))
+            results.push_back({io::ompl_log_file(outputs.ompl_log, experiment, several),
+                               io::ompl_log(report, experiment)});
+    }
+    std::stable_partition(results.begin(), results.end(),
+                          [](const Output& output) { return !is_stream(output.file); });
+    return results;
+}
+
+/// Who has interrupted the program does not want to wait for somebody to read what it writes.
+void end_without_a_reader(const Output& output) {
+    constexpr std::chrono::milliseconds to_begin{100};
+    constexpr std::size_t bytes_per_millisecond = 10'000;
+    const std::chrono::milliseconds to_read(output.content.size() / bytes_per_millisecond);
+    end_anyway_after(to_begin + to_read, static_cast<int>(ExitCode::interrupted));
+}
+
+}  // namespace
+
+void add_output_options(CLI::App& app, BenchOutputs& outputs) {
+    app.add_option("--table", outputs.table,
+                   "Markdown table; - for standard output, where it goes anyway unless another "
+                   "output does")
+        ->type_name("FILE.md");
+    app.add_option("--csv", outputs.csv, "Write one line for each run as CSV")
+        ->type_name("FILE.csv");
+    app.add_option("--json", outputs.json,
+                   "Write session, summary, and all runs with their commands as JSON")
+        ->type_name("FILE.json");
+    app.add_option("--ompl-log", outputs.ompl_log,
+                   "Write a text log of OMPL's benchmarks; with several problems or directions one "
+                   "for each, its name before the ending")
+        ->type_name("FILE.log");
+    app.add_option("--database", outputs.database, "Write an SQLite database for Planner Arena")
+        ->type_name("FILE.db|.sqlite");
+    app.add_option("--plot", outputs.plots,
+                   "Draw shares solved over time and costs: .svg, .png or .pdf, or - for an SVG on "
+                   "standard output; may be repeated")
+        ->type_name("FILE.svg|.png|.pdf")
+        ->allow_extra_args(false);
+    app.add_option("--theme", outputs.theme, "Colours of the plot: light or dark")
+        ->check(CLI::IsMember({"light", "dark"}))
+        ->capture_default_str();
+}
+
+void complete(BenchOutputs& outputs) {
+    for (const path& file : outputs.plots) static_cast<void>(format_of(file));
+    std::vector<path> others{outputs.csv, outputs.json, outputs.ompl_log, outputs.database};
+    others.insert(others.end(), outputs.plots.begin(), outputs.plots.end());
+    const bool taken = std::find(others.begin(), others.end(), io::standard_stream) != others.end();
+    if (outputs.table.empty() && !taken) outputs.table = io::standard_stream;
+}
+
+void add_roles(const BenchOutputs& outputs, FileRoles& roles) {
+    roles.add_output("--table", outputs.table);
+    roles.add_output("--csv", outputs.csv);
+    roles.add_output("--json", outputs.json);
+    roles.add_output("--database", outputs.database);
+    for (const path& file : outputs.plots) roles.add_output("--plot", file);
+}
+
+void require_places(const BenchOutputs& outputs) {
+    std::vector<std::string> files{outputs.csv, outputs.json, outputs.ompl_log, outputs.database};
+    if (outputs.table != io::standard_stream) files.push_back(outputs.table);
+    for (const path& file : outputs.plots) files.push_back(file.string());
+    for (const std::string& file : files)
+        if (!file.empty()) io::require_writable(file);
+}
+
+void write_results(const BenchOutputs& outputs, const io::BenchmarkReport& report,
+                   bool interrupted) {
+    const auto write = [&](const Output& output) {
+        if (interrupted && is_stream(output.file)) end_without_a_reader(output);
+        io::write_file(output.file, output.content);
+        do_not_end_anyway();
+    };
+    for (const Output& output : results_for(outputs, report)) write(output);
+    const io::Theme theme = outputs.theme == "dark" ? io::Theme::dark : io::Theme::light;
+    for (const path& file : outputs.plots)
+        write({file, io::draw_benchmark(report, format_of(file), theme)});
+}
+
+}  // namespace asv::tools

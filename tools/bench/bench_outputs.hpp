@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/benchmark/report.hpp"
+#include "tools/common/command_line.hpp"
+#include "tools/common/file_roles.hpp"
+
+namespace asv::tools {
+
+/// The files that a benchmark writes; an empty name stands for none.
+struct BenchOutputs {
+    std::string table, csv, json, ompl_log, database;
+    std::vector<std::filesystem::path> plots;
+    std::string theme = "light";  ///< of the plots
+};
+
+void add_output_options(CLI::App& app, BenchOutputs& outputs);
+
+/// Sends the table to standard output where nothing else goes there. Throws UsageError for a plot
+/// of a format that there is not.
+void complete(BenchOutputs& outputs);
+
+/// All but the logs, whose names depend on the problems; see log_files().
+void add_roles(const BenchOutputs& outputs, FileRoles& roles);
+
+/// Finds out before an hour of runs that their results have no place to go: throws WriteError.
+void require_places(const BenchOutputs& outputs);
+
+/// Writes what the runs came to, and only then draws it: a plot that fails must not cost the
+/// results. Who has interrupted the program is not kept waiting for a reader of a pipe: where none
+/// begins to read, the process ends with exit code 130. Throws WriteError.
+void write_results(const BenchOutputs& outputs, const io::BenchmarkReport& report,
+                   bool interrupted);
+
+}  // namespace asv::tools
