@@ -18,13 +18,18 @@
 
 namespace asv::core {
 
-/// Options of the search by slides and pulls. What each field is, settings_of() says below.
+/// Which end of the chain goes first all the way: it leads out of the start, so that the other end
+/// is the last to come into the goal.
+enum class Leader { either, first_asv, last_asv };
+
+/// Options of the search by slides and pulls. What each setting is, settings_of() says below.
 struct SlideAndPullOptions {
     double pull_share = 0.5;
     double guide_share = 0.8;
     double guide_patience = 5;
     double passage_share = 0.5;
     std::size_t pull_candidates = 24;
+    Leader leader = Leader::either;  ///< the end that is pulled
 };
 
 inline std::vector<Setting> settings_of(SlideAndPullOptions& options) {
@@ -128,7 +133,7 @@ class SlideAndPull {
     Grown pull(int side) {
         const auto point = space_.pull_target(rng_, options_.passage_share);
         if (!point) return std::nullopt;
-        const std::size_t end = draw_end();
+        const std::size_t end = leading_end(side);
         return drag(side, nearest_of_some(side, end, *point), end, *point);
     }
 
@@ -141,7 +146,7 @@ class SlideAndPull {
         const geometry::Point& ahead = bias.ahead(region, rng_);
         if (rng_.chance(options_.pull_share)) {
             const std::uint32_t node = bias.node_at(region, rng_);
-            return drag(side, node, draw_end(), ahead);
+            return drag(side, node, leading_end(side), ahead);
         }
         if (!space_.sample_near(rng_, ahead, target_)) return std::nullopt;
         return steer_to_target(side);
@@ -171,8 +176,13 @@ class SlideAndPull {
         return trees_.add(side, node, visited_);
     }
 
-    /// The first or the last ASV.
-    std::size_t draw_end() { return rng_.chance(0.5) ? 0 : space_.asv_count() - 1; }
+    /// The end to be pulled; the tree of the goal, which grows backward, is led by the other one.
+    std::size_t leading_end(int side) {
+        const bool first = options_.leader == Leader::either
+                               ? rng_.chance(0.5)
+                               : (options_.leader == Leader::first_asv) == (side == start_tree);
+        return first ? 0 : space_.asv_count() - 1;
+    }
 
     /// Of some random nodes, the one whose end of the chain is nearest to the point.
     std::uint32_t nearest_of_some(int side, std::size_t end, const geometry::Point& point) {

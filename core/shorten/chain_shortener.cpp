@@ -11,14 +11,12 @@ namespace asv::core {
 namespace {
 
 /// So many shortcuts in a row without a gain, and it is time for the other method.
-constexpr int patience = 60;
+constexpr int shortcut_patience = 60;
 /// Of the path, as long as a shortcut may be; drawn for each.
 constexpr double shortcut_shares[] = {1.0, 0.5, 0.25, 0.1};
-/// Spacings of the way points of a path that is pulled taut, from coarse to fine.
-constexpr double spacings[] = {0.05, 0.025};
 /// Times that the path is pulled at one spacing, and the share of the cost that one pull has to
 /// gain to go on.
-constexpr int max_pulls = 30;
+constexpr int most_pulls = 30;
 constexpr double min_gain = 2e-4;
 /// A round of everything that gains less than this share of the cost is the last one.
 constexpr double min_round_gain = 1e-4;
@@ -54,9 +52,10 @@ double ChainShortener::work() const {
 void ChainShortener::shorten(Improvement& improvement, Rng& rng) {
     for (double before = 0; before != improvement.cost() && !improvement.finished();) {
         before = improvement.cost();
-        shortcut(improvement, rng);
+        shortcut(improvement, shortcut_patience, rng);
         if (improvement.cost() > hopeless * improvement.best_cost()) return;
-        for (const double spacing : spacings) pull_taut(improvement, spacing);
+        for (const double spacing : {coarse_spacing, fine_spacing})
+            pull_taut(improvement, spacing, most_pulls);
         if (before - improvement.cost() < min_round_gain * improvement.cost()) return;
     }
 }
@@ -72,7 +71,7 @@ void ChainShortener::cross(const Configurations& earlier, Improvement& improveme
     shorten(improvement, rng);
 }
 
-void ChainShortener::shortcut(Improvement& improvement, Rng& rng) {
+void ChainShortener::shortcut(Improvement& improvement, int patience, Rng& rng) {
     const auto valid = [&](auto from, auto to) { return checker_.valid(from, to); };
     const Bridge straight = [&](auto from, auto to, Configurations& between) {
         if (!valid(from, to)) return false;
@@ -101,7 +100,7 @@ void ChainShortener::shortcut(Improvement& improvement, Rng& rng) {
     }
 }
 
-void ChainShortener::pull_taut(Improvement& improvement, double spacing) {
+void ChainShortener::pull_taut(Improvement& improvement, double spacing, int max_pulls) {
     band_.take(improvement.path(), spacing);
     const auto finished = [&] { return improvement.finished(); };
     for (int pull = 0; pull < max_pulls && !finished(); ++pull)

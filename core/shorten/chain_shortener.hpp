@@ -21,6 +21,9 @@ struct ChainWork {
 /// obstacles.
 double microseconds(const ChainWork& done, std::size_t asv_count, std::size_t obstacle_count);
 
+/// Spacings of the way points of a path that is pulled taut.
+inline constexpr double coarse_spacing = 0.05, fine_spacing = 0.025;
+
 /// Shortens the paths of a chain by turns with shortcuts (straight and sliding ones, and of single
 /// coordinates, of all lengths) and by pulling the path taut as an elastic band; crosses paths by
 /// hybridisation.
@@ -34,10 +37,13 @@ class ChainShortener : public PathShortener {
     void shorten(Improvement& improvement, Rng& rng) override;
     void cross(const Configurations& earlier, Improvement& improvement, Rng& rng) override;
 
-  private:
-    void shortcut(Improvement& improvement, Rng& rng);
-    void pull_taut(Improvement& improvement, double spacing);
+    /// The shortcuts alone, until so many in a row gain nothing.
+    void shortcut(Improvement& improvement, int patience, Rng& rng);
+    /// Pulls the path taut, so many times at most, with its way points that far apart (in the
+    /// metric).
+    void pull_taut(Improvement& improvement, double spacing, int max_pulls);
 
+  private:
     MotionChecker& checker_;
     const Metric& metric_;
     SlideSteering& steering_;

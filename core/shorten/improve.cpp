@@ -44,8 +44,12 @@ void Improvement::note_best() {
     if (options_.on_better && !first) options_.on_better(best_cost_);
 }
 
+double Improvement::work_left() const {
+    return end_of_work_ - shortener_.work();
+}
+
 bool Improvement::finished() const {
-    return optimal() || shortener_.work() >= end_of_work_ || options_.limits.expired();
+    return optimal() || work_left() <= 0 || options_.limits.expired();
 }
 
 Configurations improve(Configurations path, PathShortener& shortener, const ImproveOptions& options,

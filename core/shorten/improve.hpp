@@ -53,6 +53,8 @@ class Improvement {
     void keep(const Configurations& path);
     /// So much of the work was done elsewhere, microseconds.
     void charge(double work) { end_of_work_ -= work; }
+    /// Microseconds of work that are left.
+    double work_left() const;
     /// Is the best path as good as it gets?
     bool optimal() const { return best_cost_ <= options_.good_enough; }
     /// Is the work spent, the time up, or the best path as good as it gets?

@@ -4,6 +4,7 @@
 
 #include "core/chain/chain.hpp"
 #include "core/model/problem.hpp"
+#include "core/search/trees/nearest.hpp"
 #include "core/space/metric.hpp"
 #include "core/space/proof/chain_constraints.hpp"
 #include "core/space/proof/motion_checker.hpp"
@@ -20,6 +21,9 @@ struct ChainWorld {
     ChainWorld& operator=(const ChainWorld&) = delete;
 
     MotionChecker make_checker() const { return {chain, constraints, field}; }
+    /// The angles of a configuration that come round after a full turn: the heading, if there is
+    /// one.
+    WrappingAngles wrapping() const { return {2, chain.asv_count() < 2 ? 0U : 1U}; }
 
     Problem problem;
     Chain chain;

@@ -26,10 +26,6 @@ SlideSpace::SlideSpace(const ChainWorld& world, const SlideOptions& options)
       sampler_(checker_),
       pose_(world.chain.make_pose()) {}
 
-WrappingAngles SlideSpace::wrapping() const {
-    return {2, world_.chain.asv_count() < 2 ? 0U : 1U};
-}
-
 Steered SlideSpace::steer(std::span<const double> from, std::span<const double> target,
                           Configurations& visited) {
     return steering_.slide(from, target, visited);

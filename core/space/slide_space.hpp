@@ -23,7 +23,7 @@ class SlideSpace {
     SlideSpace(const ChainWorld& world, const SlideOptions& options);
 
     std::size_t dimension() const { return world_.chain.dimension(); }
-    WrappingAngles wrapping() const;
+    WrappingAngles wrapping() const { return world_.wrapping(); }
     NearestNeighbours make_index() const { return {world_.metric.scales(), wrapping()}; }
     double distance(std::span<const double> a, std::span<const double> b) const {
         return world_.metric.distance(a, b);

@@ -35,10 +35,6 @@ StraightSpace::StraightSpace(const ChainWorld& world, double widest_corridor)
       cost_(world.chain),
       next_(world.chain.dimension()) {}
 
-WrappingAngles StraightSpace::wrapping() const {
-    return {2, world_.chain.asv_count() < 2 ? 0U : 1U};
-}
-
 Steered StraightSpace::steer(std::span<const double> from, std::span<const double> target,
                              Configurations& visited) {
     const double proven = checker_.valid_prefix(from, target, resolution);

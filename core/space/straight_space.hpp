@@ -32,7 +32,7 @@ class StraightSpace {
     explicit StraightSpace(const ChainWorld& world, double widest_corridor = 0.2);
 
     std::size_t dimension() const { return world_.chain.dimension(); }
-    WrappingAngles wrapping() const;
+    WrappingAngles wrapping() const { return world_.wrapping(); }
     NearestNeighbours make_index() const { return {world_.metric.scales(), wrapping()}; }
     double distance(std::span<const double> a, std::span<const double> b) const {
         return world_.metric.distance(a, b);

@@ -1,3 +1,4 @@
+#include "core/routes/improve_along_routes.hpp"
 #include "core/shorten/chain_shortener.hpp"
 #include "core/solve/bodies/body_solver.hpp"
 #include "core/solve/bodies/least_cost.hpp"
@@ -130,7 +131,12 @@ class ChainSolver : public BodySolver {
         SlideSteering steering(checker, world_.metric,
                                sliding ? sliding->steering : SlideOptions{});
         ChainShortener shortener(checker, world_.metric, steering);
-        improved.path = core::improve(path, shortener, options, rng);
+        if (sliding && order.other_paths) {
+            RouteSearch routes(world_, {sliding->steering, sliding->search, order.search_limits});
+            improved.path = improve_along_routes(path, world_, shortener, routes, options, rng);
+        } else {
+            improved.path = core::improve(path, shortener, options, rng);
+        }
         improved.optimal = cost(improved.path) <= options.good_enough;
         improved.checks += {checker.state_checks(), checker.motion_checks()};
         return improved;

@@ -1,0 +1,101 @@
+#include "core/routes/gates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "geometry/predicates/segment_box.hpp"
+
+namespace asv::core {
+
+namespace {
+
+using geometry::Box;
+using geometry::Point;
+using geometry::Segment;
+
+/// By so much the line of a gate reaches into the boxes on both sides, which a way may graze.
+constexpr double overreach = 1e-4;
+
+/// What lies between two intervals, or what they share.
+std::pair<double, double> between(double low, double high, double other_low, double other_high) {
+    return std::minmax(std::max(low, other_low), std::min(high, other_high));
+}
+
+bool apart(double low, double high, double other_low, double other_high) {
+    return low > other_high || other_low > high;
+}
+
+struct Gate {
+    Box gap;
+    Segment line;  ///< from one box to the other, with its overreach
+};
+
+/// The gate between two boxes that do not touch. Where they lie side by side the line is in the
+/// middle, else it leads from corner to corner.
+Gate gate_between(const Box& a, const Box& b) {
+    Gate gate;
+    std::tie(gate.gap.low.x, gate.gap.high.x) = between(a.low.x, a.high.x, b.low.x, b.high.x);
+    std::tie(gate.gap.low.y, gate.gap.high.y) = between(a.low.y, a.high.y, b.low.y, b.high.y);
+    const bool apart_x = apart(a.low.x, a.high.x, b.low.x, b.high.x);
+    const bool apart_y = apart(a.low.y, a.high.y, b.low.y, b.high.y);
+    const Point centre{0.5 * (gate.gap.low.x + gate.gap.high.x),
+                       0.5 * (gate.gap.low.y + gate.gap.high.y)};
+    Point half{apart_x ? centre.x - gate.gap.low.x : 0, apart_y ? centre.y - gate.gap.low.y : 0};
+    const double length = std::hypot(half.x, half.y);
+    const double stretch = (length + overreach) / length;
+    half = {half.x * stretch, half.y * stretch};
+    // Corner to corner is the falling diagonal where one box is to the right of the other, below.
+    if (apart_x && apart_y && (a.low.x > b.high.x) != (a.low.y > b.high.y)) half.y = -half.y;
+    gate.line = {{centre.x - half.x, centre.y - half.y}, {centre.x + half.x, centre.y + half.y}};
+    return gate;
+}
+
+double side_of(const Segment& line, const Point& point) {
+    return (line.b.x - line.a.x) * (point.y - line.a.y) -
+           (line.b.y - line.a.y) * (point.x - line.a.x);
+}
+
+bool cross(const Segment& a, const Segment& b) {
+    return side_of(a, b.a) * side_of(a, b.b) <= 0 && side_of(b, a.a) * side_of(b, a.b) <= 0;
+}
+
+bool crosses(std::span<const Point> way, const Segment& line) {
+    for (std::size_t i = 1; i < way.size(); ++i)
+        if (cross({way[i - 1], way[i]}, line)) return true;
+    return false;
+}
+
+/// Four boxes round the bounds.
+std::vector<Box> outside(const Box& bounds) {
+    const Point &low = bounds.low, &high = bounds.high;
+    return {{{low.x - 1, low.y}, {low.x, high.y}},
+            {{high.x, low.y}, {high.x + 1, high.y}},
+            {{low.x, low.y - 1}, {high.x, low.y}},
+            {{low.x, high.y}, {high.x, high.y + 1}}};
+}
+
+}  // namespace
+
+std::vector<Box> gates_on_way(std::span<const Point> way, std::span<const Box> boxes,
+                              const Box& bounds) {
+    std::vector<Box> all(boxes.begin(), boxes.end());
+    for (const Box& box : outside(bounds)) all.push_back(box);
+    const auto others_meet = [&](const Segment& line, std::size_t i, std::size_t j) {
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (k != i && k != j && geometry::meets(line, all[k])) return true;
+        return false;
+    };
+    std::vector<Box> gates;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        for (std::size_t j = i + 1; j < all.size(); ++j) {
+            if (geometry::overlap(all[i], all[j])) continue;
+            const Gate gate = gate_between(all[i], all[j]);
+            if (crosses(way, gate.line) && !others_meet(gate.line, i, j)) gates.push_back(gate.gap);
+        }
+    }
+    return gates;
+}
+
+}  // namespace asv::core
