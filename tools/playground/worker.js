@@ -8,8 +8,8 @@
 //   check    {problem}           -> {start: [violation], goal: [violation], minimumArea, infeasible: null | text}
 //                                   violation: {requirement, text, asv, broom, obstacle}, numbers from 1, or null
 //   plan     {problem, planner, settings: {key: value}, seed, optimize, timeLimit, warm: states | null, trees: bool,
-//             progress: bool, slot}
-//                                -> {status, reason, cost, bound, seconds: {first, total, check}, states, valid, violation,
+//             bound: bool, progress: bool, slot}
+//                                -> {status, reason, cost, bound, seconds: {first, total}, states, valid, violation,
 //                                    history: [[seconds, cost]], trees: null | {start: tree, goal: tree}}
 //                                   status: "solved", "not found", "infeasible", "invalid ends" or "interrupted";
 //                                   tree: {points: states (of ASV 1, the tip or the point), parents: Int32Array};
@@ -22,6 +22,7 @@
 //   write    {what: "problem" | "scenario" | "solution", problem, states} -> {name, text}
 //
 // optimize and timeLimit are seconds. A plan is warm-started from the states of `warm`, a path of a problem like this one.
+// bound: false leaves out the lower bound, which has no place while something is dragged (null in the answer).
 // Latest wins: a plan that waits is given up ("interrupted") when another one of the same slot arrives, and one that is
 // being improved in slices (progress: true) ends with the best path it has.
 "use strict";
@@ -89,7 +90,7 @@ function send(message) {
 
 const interrupted = {
   status: "interrupted", reason: "a newer message took its place", cost: null, bound: null,
-  seconds: { first: 0, total: 0, check: 0 }, states: null, valid: false, violation: null, history: [], trees: null,
+  seconds: { first: 0, total: 0 }, states: null, valid: false, violation: null, history: [], trees: null,
 };
 
 /** Messages in order; of plans that wait in one slot the newest alone. */
