@@ -78,6 +78,7 @@ export function startPlayground(parts) {
   const { engine, model } = parts;
   const { present, settle } = presenter(parts);
   const planning = new Planning(engine, model, (...news) => present(planning, ...news));
+  planning.firstAnswer.then(() => fillPlanners(engine, planning)).then((planners) => new Compare(model, planners));
   model.onChange(() => settle(planning));
   by("share").addEventListener("click", () => share(model));
   new Files(engine, model, {
@@ -85,6 +86,5 @@ export function startPlayground(parts) {
     showPath: (states) => planning.offer(states),
     say: notice,
   });
-  fillPlanners(engine, planning).then((planners) => new Compare(model, planners));
   return planning;
 }

@@ -2,7 +2,7 @@
 // nothing changes any more, the path gets shorter. What is shown is always one problem with its
 // own path, or with none: a problem waits a moment for its path, and is then shown without it.
 
-/** Seconds for the first look at a problem, and for the looks after it when it stays unsolved. */
+/** Seconds for the first look at a problem that has a path to start from, and for the looks after it when it stays unsolved. */
 const firstLook = 0.2;
 const longestLook = 1;
 /** Seconds without a path after which "unknown" is the answer. */
@@ -11,8 +11,11 @@ const patience = 20;
 const slice = 0.03;
 const vainSlices = 8;
 const leastGain = 1e-5;
-/** Milliseconds without a change after which a path is improved: a slice of that would keep the next change waiting. */
-const rest = 150;
+/**
+ * Milliseconds without a change after which a path is improved, since a slice of that would keep the next change waiting;
+ * more while something is held that may go on.
+ */
+const [rest, restWhileHeld] = [150, 1000];
 /** Milliseconds that a changed problem waits for its path before it is shown without one. */
 const wait = 120;
 /** Milliseconds after which a plan for an old problem is not waited for any more. */
@@ -33,14 +36,17 @@ export class Planning {
     this.sent = 0;
     this.timings = []; // milliseconds from a change to the path that answers it, painted
     this.wakeUp = () => {};
+    /** What the first path has no need of is to wait for this. */
+    this.firstAnswer = new Promise((resolve) => { this.answered = resolve; });
     model.onChange(() => this.changed());
   }
 
   changed() {
+    this.wakeUp();
     if (this.version === this.model.version) return;
     this.version = this.model.version;
     this.changedAt = performance.now();
-    this.look = firstLook;
+    this.look = this.best ? firstLook : longestLook;
     this.spent = 0;
     this.vain = 0;
     this.seed = 1;
@@ -48,7 +54,6 @@ export class Planning {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.showWithout("planning"), wait);
     this.giveUpTooOld();
-    this.wakeUp();
     this.pump();
   }
 
@@ -115,12 +120,16 @@ export class Planning {
     return this.shown.version === this.version && this.shown.state === "solved";
   }
 
-  /** Resolves when the problem changes, or has not changed for a while; what the page has to do meanwhile goes first. */
-  stillness() {
-    return new Promise((resolve) => {
-      this.wakeUp = resolve;
-      setTimeout(resolve, this.changedAt + rest - performance.now());
-    });
+  /** Resolves when the problem changes, or has not changed for a while. */
+  async stillness() {
+    const left = () => this.changedAt + (this.model.held ? restWhileHeld : rest) - performance.now();
+    do {
+      // Also where there is nothing left to wait for: what the page has to do goes first.
+      await new Promise((resolve) => {
+        this.wakeUp = resolve;
+        setTimeout(resolve, left());
+      });
+    } while (this.solved && left() > 0);
   }
 
   async planOnce() {
@@ -134,9 +143,10 @@ export class Planning {
       optimize: improving ? slice : 0, timeLimit: improving ? 2 : this.look, bound: improving && !before.bound, progress: false,
       warm: this.best && this.best.columns === columnsOf(problem) ? this.best.states.slice() : null,
     });
+    this.answered();
     if (before) answer.bound = before.bound ??= answer.bound; // of one problem it is found once
     if (answer.status === "solved" && answer.valid) this.take(answer, problem, version, before);
-    else if (answer.status === "not found" && this.look === firstLook) this.without(await this.proofOr(answer, problem), problem, version);
+    else if (answer.status === "not found" && this.spent === 0) this.without(await this.proofOr(answer, problem), problem, version);
     else this.without(answer, problem, version);
     if (answer.status !== "interrupted" && !improving) this.timings.push(performance.now() - askedAt);
   }
