@@ -13,7 +13,9 @@ build=build/playground/wasm
     -DCMAKE_TOOLCHAIN_FILE=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake \
     -DCMAKE_CXX_COMPILER_LAUNCHER="$(command -v ccache || true)"
 "${with_debian[@]}" cmake --build $build
-node tools/playground/build.mjs $build build/playground
+engine=build/playground/engine
+mkdir -p $engine
+cp $build/engine.js $build/engine.wasm tools/playground/worker.js $engine/
 
 # What joins the page comes from npm, anew only when the lock file has changed.
 packages=build/playground/npm
@@ -23,4 +25,4 @@ if ! cmp --silent tools/playground/package-lock.json $packages/node_modules/.loc
     npm ci --prefix $packages --no-audit --no-fund --loglevel error
     cp tools/playground/package-lock.json $packages/node_modules/.lock-used
 fi
-node tools/playground/bundle.mjs build/playground/engine build/playground
+node tools/playground/bundle.mjs $engine build/playground

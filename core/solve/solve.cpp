@@ -45,17 +45,20 @@ SolveResult infeasible(std::string reason) {
     return result;
 }
 
-/// The path as the given problem's solution, which the validator's own code has passed.
-Solution checked_solution(const Problem& problem, Path path) {
+/// Makes the path the given problem's solution, which the validator's own code has passed.
+void check_solution(const SolveCall& call, Path path, SolveResult& result) {
+    const Problem& problem = call.problem;
     Solution solution{std::move(path), 0};
     solution.cost = cost(problem, solution.path);
-    const ValidationReport report =
-        validate(problem, solution, {.tolerance = problem.requirements.tolerance});
-    for (const CheckResult& check : report.checks)
+    result.report = validate(
+        problem, solution,
+        {.tolerance = problem.requirements.tolerance, .continuous = call.options.certify_motion});
+    for (const CheckResult& check : result.report.checks)
         if (!check.ok())
             throw std::logic_error("the path found fails the check of " +
                                    std::string(name(check.check)) + ": " + describe(check));
-    return solution;
+    result.solution = std::move(solution);
+    result.status = SolveStatus::solved;
 }
 
 /// The last cost of the history is that of the solution, which differs a little from that of the
@@ -81,10 +84,10 @@ void finish(const SolveCall& call, const RaceResult& first, SolveResult& result)
                         " s, but the time is up before it is turned into primitive steps";
         return;
     }
-    result.solution = checked_solution(call.problem, call.frame.path_back(*steps));
-    result.status = SolveStatus::solved;
+    check_solution(call, call.frame.path_back(*steps), result);
     note_cost(result.solution->cost, call.clock.elapsed(), result.statistics);
-    find_bounds(call, time_to_write(result.solution->path), result.statistics);
+    if (call.options.find_bounds)
+        find_bounds(call, time_to_write(result.solution->path), result.statistics);
 }
 
 /// Mends the last path, if there is one, or else searches; improves and checks.

@@ -49,6 +49,13 @@ struct SolveOptions {
     bool reverse = false;
     /// Fill SolveResult::trees, which takes memory.
     bool keep_trees = false;
+    /// Let the validator certify the motion between the primitive steps as well, which takes longer
+    /// than all its other checks; its verdict is in SolveResult::report. Off: the assignment asks
+    /// of states.
+    bool certify_motion = false;
+    /// Find the lower bounds of cost and steps. Who follows a problem that moves has no time for
+    /// them, and finds the same bounds of one problem only once.
+    bool find_bounds = true;
     /// Seconds that the caller has spent on this problem before the call (reading it, for example):
     /// they count toward the time limit and toward every time that is reported.
     double elapsed_before = 0;

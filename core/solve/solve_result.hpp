@@ -11,6 +11,7 @@
 
 #include "core/model/path.hpp"
 #include "core/solve/tree_picture.hpp"
+#include "core/validation/report.hpp"
 
 namespace asv::core {
 
@@ -41,6 +42,9 @@ struct SolveResult {
     SolveStatus status = SolveStatus::timeout;
     std::string reason;                ///< why there is no solution; empty when solved
     std::optional<Solution> solution;  ///< passed the validator
+    /// What the validator says of the solution: `checks` all hold; `motion` is there where
+    /// SolveOptions::certify_motion asks for it, and may say that it is not certified.
+    ValidationReport report;
     SolveStatistics statistics;
     std::vector<TreePicture> trees;  ///< that of the start, that of the goal; or one alone
     std::vector<std::array<std::uint32_t, 2>> edges;  ///< of a roadmap: pairs of nodes

@@ -19,9 +19,14 @@ struct Finding {
                       .room = std::numeric_limits<double>::infinity()};
 };
 
-/// A violation is worse than none, then less room is worse.
+/// Would a finding with such a verdict and so much room be worse than this one? A violation is
+/// worse than none, then less room is worse.
+inline bool worse(bool ok, double room, const Finding& than) {
+    return ok != than.ok ? than.ok : room < than.offender.room;
+}
+
 inline bool worse(const Finding& a, const Finding& b) {
-    return a.ok != b.ok ? b.ok : a.offender.room < b.offender.room;
+    return worse(a.ok, a.offender.room, b);
 }
 
 inline void keep_worse(Finding& worst, Finding candidate) {
@@ -45,15 +50,17 @@ class Tally {
         result_.check = check;
     }
 
-    void add(Finding finding, std::size_t state) {
-        finding.offender.state = state;
-        finding.offender.body = body_;
+    void add(const Finding& finding, std::size_t state) {
         ++result_.states;
-        if (!finding.ok) {
-            ++result_.failures;
-            if (list_offenders_) result_.offenders.push_back(finding.offender);
-        }
-        keep_worse(worst_, std::move(finding));
+        if (!finding.ok) ++result_.failures;
+        const bool listed = !finding.ok && list_offenders_;
+        // Most findings are neither, and are not worth a copy.
+        if (!listed && !worse(finding, worst_)) return;
+        Finding placed = finding;
+        placed.offender.state = state;
+        placed.offender.body = body_;
+        if (listed) result_.offenders.push_back(placed.offender);
+        keep_worse(worst_, std::move(placed));
     }
 
     const Finding& worst() const { return worst_; }

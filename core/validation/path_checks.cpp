@@ -10,11 +10,9 @@ Finding check_distances(State from, State to, double limit) {
     Finding worst;
     for (std::size_t i = 0; i < from.size(); ++i) {
         const double moved = distance(from[i], to[i]);
-        Finding finding;
-        finding.ok = moved <= limit;
-        finding.offender.asv = i;
-        finding.offender.room = limit - moved;
-        keep_worse(worst, finding);
+        const bool ok = moved <= limit;
+        const double room = limit - moved;
+        if (worse(ok, room, worst)) worst = at_asv(ok, i, room);
     }
     return worst;
 }

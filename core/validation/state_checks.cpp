@@ -50,23 +50,25 @@ std::optional<Finding> find_not_finite(State from, State to) {
     return found ? found : find_not_finite(to);
 }
 
-Finding check_side_length(State state, std::size_t i, double length, double tolerance) {
+void check_side_length(State state, std::size_t i, double length, double tolerance,
+                       Finding& worst) {
     const double found = distance(state[i], state[i + 1]);
     const double off = std::abs(found - length);
-    Finding finding;
-    finding.offender.length = found;
-    finding.offender.wanted_length = length;
-    finding.ok = off <= tolerance;
-    finding.offender.broom = i;
-    finding.offender.room = tolerance - off;
-    return finding;
+    const bool ok = off <= tolerance;
+    const double room = tolerance - off;
+    if (!worse(ok, room, worst)) return;
+    worst = {};
+    worst.ok = ok;
+    worst.offender.broom = i;
+    worst.offender.room = room;
+    worst.offender.length = found;
+    worst.offender.wanted_length = length;
 }
 
 Finding check_broom_lengths(State state, const Requirements& requirements) {
     Finding worst;
     for (std::size_t i = 0; i + 1 < state.size(); ++i)
-        keep_worse(worst,
-                   check_side_length(state, i, requirements.broom_length, requirements.tolerance));
+        check_side_length(state, i, requirements.broom_length, requirements.tolerance, worst);
     return worst;
 }
 
@@ -115,7 +117,7 @@ Finding check_bounds(State state, const Requirements& requirements) {
         const bool ok = x >= box.low.x && y >= box.low.y && x < box.high.x && y < box.high.y;
         const double room =
             std::min({x - box.low.x, y - box.low.y, box.high.x - x, box.high.y - y});
-        keep_worse(worst, at_asv(ok, i, room));
+        if (worse(ok, room, worst)) worst = at_asv(ok, i, room);
     }
     return worst;
 }

@@ -24,7 +24,8 @@ std::optional<Finding> find_not_finite(State from, State to);
 Finding check_broom_lengths(State state, const Requirements& requirements);
 
 /// One side of a state, from point i to the next: its distance is within the tolerance of length.
-Finding check_side_length(State state, std::size_t i, double length, double tolerance);
+/// Takes the place of `worst` where it is worse.
+void check_side_length(State state, std::size_t i, double length, double tolerance, Finding& worst);
 
 /// The closed polygon of the ASVs turns one way. Room: radians, to a turn against the others
 /// beyond the tolerance, to a turn of pi, or of the sum of all turns to 3 pi (then without an ASV).

@@ -10,7 +10,8 @@ if [ ! -e "$2/engine.wasm" ]; then
     echo "skipped: there is no engine (tools/playground.sh makes it)"
     exit 77
 fi
-export ASV_PROGRAMS=$1 ASV_ENGINE=$2
+ASV_PROGRAMS=$(realpath "$1") ASV_ENGINE=$(realpath "$2")
+export ASV_PROGRAMS ASV_ENGINE
 export ASV_SOURCE=$(realpath "$here/../..")
 failed=0
 for tests in "$here"/*_test.mjs; do

@@ -56,7 +56,7 @@ test("All planners tell of their settings, and show their trees", async () => {
   const problem = await problemOf("3ASV-x4.txt");
   for (const { name, settings } of planners) {
     assert.ok(settings.every((setting) => setting.key && setting.meaning));
-    const order = { problem, planner: name, seed: 1, optimize: 0, timeLimit: 60, trees: true };
+    const order = { problem, planner: name, seed: 1, optimize: 0, timeLimit: 300, trees: true };
     const planned = await engine.ask("plan", order);
     assert.equal(planned.status, "solved", name);
     assert.equal(planned.trees.start.points.length, 2 * planned.trees.start.parents.length);

@@ -1,12 +1,14 @@
 // Joins the page of the playground, its style and the player's scripts into files that a browser
 // opens: bundle.mjs ENGINE OUT, with the npm packages of package.json in OUT/npm.
 //
-// ENGINE is the folder of the built engine, with asv-worker.js; OUT gets asv-playground.html, all in one file.
+// ENGINE is the folder of the built engine, with engine.js, engine.wasm and worker.js; OUT gets asv-playground.html, all in one file.
 
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { basename, dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
+import { Worker } from "node:worker_threads";
+import { gzipSync } from "node:zlib";
 
 const [engine, out] = process.argv.slice(2).map((path) => resolve(path));
 const here = dirname(fileURLToPath(import.meta.url));
@@ -24,14 +26,34 @@ function playerModule() {
   return `import { announce, show } from ${JSON.stringify(join(here, "page/show/playback.js"))};\n${scripts}\nexport { ${names.join(", ")} };\n`;
 }
 
-/** Problems that are opened by name: those of testcases/, and some of the playground's own. */
-function examplesModule() {
+/** Problems that are opened by name, as the engine reads them: those of testcases/, and some of the playground's own. */
+async function examplesModule() {
   const groups = [["Chains", "testcases"], ["Without a path", "testcases/infeasible"], ["Other bodies", "tools/playground/examples"]];
   const examples = groups.flatMap(([group, folder]) => readdirSync(join(root, folder))
     .filter((file) => /\.(txt|json)$/.test(file))
     .sort((a, b) => a.localeCompare(b, "en", { numeric: true }))
-    .map((file) => ({ group, file, name: basename(file).replace(/\.\w+$/, ""), text: text(root, folder, file) })));
-  return `export const examples = ${JSON.stringify(examples)};\n`;
+    .map((file) => ({ group, name: basename(file).replace(/\.\w+$/, ""), file, text: text(root, folder, file) })));
+  const problems = await read(examples);
+  const opened = examples.map(({ group, name }, i) => ({ group, name, problem: problems[i] }));
+  return `export const examples = ${JSON.stringify(opened)};\n`;
+}
+
+/** The problems in some files, each {file, text}. */
+async function read(files) {
+  const worker = new Worker(join(engine, "worker.js"));
+  const problems = [];
+  await new Promise((resolve, reject) => {
+    worker.on("error", reject);
+    worker.on("message", ({ kind, id, problem, message }) => {
+      if (kind === "error") reject(new Error(`${files[id].file}: ${message}`));
+      if (kind !== "result") return;
+      problems[id] = problem;
+      if (id === files.length - 1) resolve();
+    });
+    files.forEach(({ file, text }, id) => worker.postMessage({ id, kind: "read", name: file, text }));
+  });
+  await worker.terminate();
+  return problems;
 }
 
 const virtual = { player: playerModule, examples: examplesModule };
@@ -40,7 +62,7 @@ const virtualModules = {
   name: "virtual",
   setup(builder) {
     builder.onResolve({ filter: /^(player|examples)$/ }, ({ path }) => ({ path, namespace: "virtual" }));
-    builder.onLoad({ filter: /.*/, namespace: "virtual" }, ({ path }) => ({ contents: virtual[path](), resolveDir: here }));
+    builder.onLoad({ filter: /.*/, namespace: "virtual" }, async ({ path }) => ({ contents: await virtual[path](), resolveDir: here }));
   },
 };
 
@@ -52,11 +74,17 @@ async function script() {
   return result.outputFiles[0].text.replaceAll("</script", "<\\/script");
 }
 
-/** The worker with the engine in it, as a text of the page that is run by the page's script alone. */
-function engineText() {
-  const worker = text(engine, "asv-worker.js");
-  if (/<\/?script|<!--/i.test(worker)) throw new Error("asv-worker.js would end the element that it stands in");
-  return `<script id="engine" type="text/plain">\n${worker}</script>`;
+/** What runs at once: a worker of a text in the page, and the engine that is sent to it. */
+function engineElements() {
+  const worker = text(engine, "engine.js") + text(engine, "worker.js");
+  if (/<\/?script|<!--/i.test(worker)) throw new Error("the worker would end the element that it stands in");
+  const bytes = gzipSync(readFileSync(join(engine, "engine.wasm")), { level: 9 }).toString("base64");
+  return [
+    `<script id="worker" type="text/plain">\n${worker}</script>`,
+    `<script>\n${text(here, "page/plan/first_worker.js")}</script>`,
+    `<script id="engine" type="text/plain">${bytes}</script>`,
+    `<script>\n${text(here, "page/plan/engine_bytes.js")}</script>`,
+  ].join("\n");
 }
 
 /** A group of the player's controls, as its page has them. */
@@ -66,7 +94,7 @@ const parts = {
   TRANSPORT: controls("transport"),
   ZOOM: controls("zoom"),
   STYLE: text(root, "io/player/page/player.css") + text(here, "page/style.css"),
-  ENGINE: engineText(),
+  ENGINE: engineElements(),
   SCRIPT: await script(),
 };
 const page = text(here, "page/index.html").replace(/@([A-Z]+)@/g, (_, name) => parts[name]);

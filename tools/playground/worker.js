@@ -3,13 +3,14 @@
 // Page -> worker {id, kind, ...}; worker -> page {id, kind: "result" | "progress" | "error", ...}. An error has a
 // message and, where text was read, its line and column. A problem is the JSON object of docs/scenario.md (no map). States are a
 // Float64Array, one state after the other, each x1 y1 x2 y2 ... in chain order (of an arm: all joints, the base first).
-// Arrays of an answer are transferred. Before all else the worker says {kind: "ready", version, simd}.
+// Arrays of an answer are transferred. Before all else the worker says {kind: "ready", version, simd}; one that is made of a
+// text waits for {kind: "engine", bytes}, a gzipped engine.wasm, before that.
 //
 //   check    {problem}           -> {start: [violation], goal: [violation], minimumArea, infeasible: null | text}
 //                                   violation: {requirement, text, asv, broom, obstacle}, numbers from 1, or null
 //   plan     {problem, planner, settings: {key: value}, seed, optimize, timeLimit, warm: states | null, trees: bool,
-//             progress: bool, slot}
-//                                -> {status, reason, cost, bound, seconds: {first, total, check}, states, valid, violation,
+//             bound: bool, progress: bool, slot}
+//                                -> {status, reason, cost, bound, seconds: {first, total}, states, valid, violation,
 //                                    history: [[seconds, cost]], trees: null | {start: tree, goal: tree}}
 //                                   status: "solved", "not found", "infeasible", "invalid ends" or "interrupted";
 //                                   tree: {points: states (of ASV 1, the tip or the point), parents: Int32Array};
@@ -22,6 +23,7 @@
 //   write    {what: "problem" | "scenario" | "solution", problem, states} -> {name, text}
 //
 // optimize and timeLimit are seconds. A plan is warm-started from the states of `warm`, a path of a problem like this one.
+// bound: false leaves out the lower bound, which has no place while something is dragged (null in the answer).
 // Latest wins: a plan that waits is given up ("interrupted") when another one of the same slot arrives, and one that is
 // being improved in slices (progress: true) ends with the best path it has.
 "use strict";
@@ -30,20 +32,35 @@
 const inNode = typeof process === "object" && typeof importScripts === "undefined";
 const port = inNode ? require("node:worker_threads").parentPort : self;
 
-/** The engine's bytes: those that tools/playground/build.mjs has put before this text, or the file beside it. */
-async function engineBytes() {
+// A page that is one file makes the worker of a text, engine.js before this one, and sends the engine itself in a message.
+const madeOfText = !inNode && location.protocol === "blob:";
+
+/** The engine from the file beside this one. */
+async function engineFile() {
   if (inNode) return require("node:fs").readFileSync(`${__dirname}/engine.wasm`);
-  if (typeof embeddedEngine === "undefined") return (await fetch("engine.wasm")).arrayBuffer();
-  const compressed = Uint8Array.from(atob(embeddedEngine), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([compressed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Response(stream).arrayBuffer();
+  return (await fetch("engine.wasm")).arrayBuffer();
 }
 
-/** createEngine of engine.js, which may stand before this text as well. */
 function engineFactory() {
   if (inNode) return require("./engine.js");
-  if (typeof createEngine === "undefined") importScripts("engine.js");
+  if (!madeOfText) importScripts("engine.js");
   return createEngine;
+}
+
+/** The engine from its gzipped bytes, compiled while they are unpacked. */
+function unpacked(bytes) {
+  const gunzip = new DecompressionStream("gzip");
+  const writer = gunzip.writable.getWriter();
+  writer.write(bytes);
+  writer.close();
+  const wasm = new Response(gunzip.readable, { headers: { "Content-Type": "application/wasm" } });
+  return new Promise((resolve, reject) => {
+    const instantiateWasm = (imports, receive) => {
+      WebAssembly.instantiateStreaming(wasm, imports).then(({ instance }) => receive(instance), reject);
+      return {};
+    };
+    engineFactory()({ instantiateWasm }).then(resolve, reject);
+  });
 }
 
 /** Sets a member by its path, "trees.start.points". */
@@ -89,7 +106,7 @@ function send(message) {
 
 const interrupted = {
   status: "interrupted", reason: "a newer message took its place", cost: null, bound: null,
-  seconds: { first: 0, total: 0, check: 0 }, states: null, valid: false, violation: null, history: [], trees: null,
+  seconds: { first: 0, total: 0 }, states: null, valid: false, violation: null, history: [], trees: null,
 };
 
 /** Messages in order; of plans that wait in one slot the newest alone. */
@@ -170,9 +187,12 @@ async function serve(engine) {
 }
 
 async function start() {
-  if (inNode) port.on("message", enqueue);
-  else port.onmessage = (event) => enqueue(event.data);
-  const engine = await engineFactory()({ wasmBinary: await engineBytes() });
+  let receiveEngine;
+  const engineSent = new Promise((resolve) => (receiveEngine = resolve));
+  const receive = (message) => (message.kind === "engine" ? receiveEngine(message.bytes) : enqueue(message));
+  if (inNode) port.on("message", receive);
+  else port.onmessage = (event) => receive(event.data);
+  const engine = madeOfText ? await unpacked(await engineSent) : await engineFactory()({ wasmBinary: await engineFile() });
   send({ kind: "ready", version: engine.UTF8ToString(engine._asv_version()), simd: true });
   await serve(engine);
 }

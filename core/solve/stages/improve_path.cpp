@@ -14,6 +14,8 @@ namespace {
 /// Microseconds of work for --optimize 0: shortcuts that take less time than writing what they
 /// save.
 constexpr double cheap_work = 2000;
+/// The same for a mended path, most of which has been shortened before.
+constexpr double cheap_work_mended = 1000;
 /// Other paths are looked for with so many times the iterations of the first search, and so many
 /// more: searches that take much longer than that one are not worth their time.
 constexpr std::size_t iterations_factor = 3, iterations_more = 200;
@@ -54,7 +56,8 @@ class PathImprovement {
 
     ImprovementOrder order(std::size_t thread) {
         ImprovementOrder order;
-        order.work = cheap_work + 1e6 * call_.options.optimize;
+        order.work =
+            (first_.mended ? cheap_work_mended : cheap_work) + 1e6 * call_.options.optimize;
         order.other_paths = call_.options.optimize > 0;
         order.limits.deadline = deadline_;
         order.limits.stop = stop_.get_token();

@@ -45,6 +45,7 @@ std::optional<RaceResult> mend_path(const SolveCall& call, const Path& last,
     if (attempt.search.outcome != Outcome::solved) return std::nullopt;
     RaceResult mended;
     mended.winner = 0;
+    mended.mended = true;
     mended.path = std::move(attempt.search.path);
     statistics.iterations = attempt.search.iterations;
     statistics.time_to_first = call.clock.elapsed();

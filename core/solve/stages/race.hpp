@@ -12,6 +12,7 @@ namespace asv::core {
 /// What the race for the first path came to: a path, a proof that there is none, or neither.
 struct RaceResult {
     std::optional<std::size_t> winner;      ///< the thread that found the path
+    bool mended = false;                    ///< the path is an earlier one that was mended
     Configurations path;                    ///< in planning coordinates
     std::optional<std::string> infeasible;  ///< why there is none
     Outcome failure = Outcome::deadline;    ///< why the first thread gave up

@@ -37,7 +37,7 @@ std::vector<double> middle_of_ranges(const PlanarArm& arm) {
 Finding check_link_lengths(State state, const PlanarArm& arm, const Requirements& requirements) {
     Finding worst;
     for (std::size_t i = 0; i < arm.links.size(); ++i)
-        keep_worse(worst, check_side_length(state, i, arm.links[i], requirements.tolerance));
+        check_side_length(state, i, arm.links[i], requirements.tolerance, worst);
     return worst;
 }
 

@@ -5,6 +5,7 @@
 #include "core/model/requirements.hpp"
 #include "core/validation/finding.hpp"
 #include "core/validation/motion/quadratic.hpp"
+#include "core/validation/state_checks.hpp"
 
 /// The requirements on the shape of the chain at every time of a straight motion between two
 /// states. Each holds only when it is proven: the polynomials that decide it are compared with
@@ -22,13 +23,15 @@ using Motion = std::vector<Moving>;
 Finding check_motion_broom_lengths(const Motion& motion, const Requirements& requirements);
 
 /// No turn goes against the orientation by more than the tolerance, none reaches pi, their sum
-/// stays, and the closing side does not shrink to a point, where its direction would jump.
-Finding check_motion_convexity(const Motion& motion, const Requirements& requirements);
+/// stays, and the closing side does not shrink to a point, where its direction would jump. The room
+/// of turns that leave more than `radius` is not measured.
+Finding check_motion_convexity(const Motion& motion, const Requirements& requirements,
+                               double radius);
 
 /// The area is a quadratic of the time.
 Finding check_motion_area(const Motion& motion, const Requirements& requirements);
 
 /// The bounds are convex: a straight motion between two points inside stays inside.
-Finding check_motion_bounds(const Motion& motion, const Requirements& requirements);
+Finding check_motion_bounds(State from, State to, const Requirements& requirements);
 
 }  // namespace asv::core::validation

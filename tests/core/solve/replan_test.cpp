@@ -68,6 +68,24 @@ TEST_P(EachBody, TakesTheOldPathTheOtherWayRound) {
     EXPECT_FALSE(from_nothing(again));
 }
 
+TEST_P(EachBody, CertifiesMotionAndLeavesOutBoundsWithoutAnotherPath) {
+    const Problem problem = this->problem();
+    const Path last = path_for(problem);
+    SolveOptions options = plain(seed);
+    const SolveResult usual = replan(problem, last, options);
+    options.certify_motion = true;
+    options.find_bounds = false;
+    const SolveResult certified = replan(problem, last, options);
+    ASSERT_TRUE(usual.solution && certified.solution);
+    EXPECT_TRUE(
+        std::ranges::equal(usual.solution->path.points(), certified.solution->path.points()));
+    EXPECT_TRUE(usual.report.motion.empty());
+    EXPECT_GT(usual.statistics.cost_lower_bound, 0);
+    EXPECT_FALSE(certified.report.motion.empty());
+    EXPECT_TRUE(certified.report.valid());
+    EXPECT_EQ(certified.statistics.cost_lower_bound, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Bodies, EachBody,
                          ::testing::Values("3ASV.txt", "7ASV.txt", "bodies/arm-3-plane.json",
                                            "bodies/arm-5-workshop.json", "bodies/point-town.json"),

@@ -61,10 +61,8 @@ function watchTools({ model, view, editor, keys }) {
   }, { capture: true });
 }
 
-async function openExample({ engine, model }, name) {
-  const example = examples.find((candidate) => candidate.name === name);
-  const { problem } = await engine.ask("read", { name: example.file, text: example.text });
-  model.open(problem, name);
+function openExample({ model }, name) {
+  model.open(examples.find((example) => example.name === name).problem, name);
 }
 
 /** The problem that the address holds or names, or the first example. */
@@ -104,7 +102,6 @@ async function start() {
   new Inspector(parts.model);
   fillExamples(parts);
   watchPlayback({ show: () => parts.view.paint(), announce: (step, last) => announce(`Step ${step} of ${last}`) });
-  await parts.engine.whenReady();
   const wishes = await wishesOf(location).catch(() => ({}));
   const planning = wishes.lesson ? startLesson(parts, wishes) : startPlayground(parts);
   await openWished(parts);

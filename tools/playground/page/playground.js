@@ -22,7 +22,7 @@ function presenter({ engine, view, editor, marks }) {
     if (planning.shown === shown && measures.cost) view.measure(measures);
   }
 
-  const present = (planning, shown, done) => {
+  const present = (planning, shown, done, samePath) => {
     view.hurried = Boolean(editor.drag);
     const solved = shown.state === "solved";
     why = shown.state === "infeasible" ? whyOf(shown.problem) : null;
@@ -30,7 +30,7 @@ function presenter({ engine, view, editor, marks }) {
     // A path that gets shorter is no news to those who hear the page.
     if (shown.state !== "planning" && headline !== told) announce(headline);
     told = headline;
-    if (done && solved) return;
+    if (samePath) return;
     view.tell(shown.problem, solved ? shown.answer.states : null);
     if (shown.state === "invalid ends") marks.look(shown.problem);
     else if (!editor.drag) marks.look(null);
@@ -77,7 +77,8 @@ async function fillPlanners(engine, planning) {
 export function startPlayground(parts) {
   const { engine, model } = parts;
   const { present, settle } = presenter(parts);
-  const planning = new Planning(engine, model, (shown, done = false) => present(planning, shown, done));
+  const planning = new Planning(engine, model, (...news) => present(planning, ...news));
+  planning.firstAnswer.then(() => fillPlanners(engine, planning)).then((planners) => new Compare(model, planners));
   model.onChange(() => settle(planning));
   by("share").addEventListener("click", () => share(model));
   new Files(engine, model, {
@@ -85,6 +86,5 @@ export function startPlayground(parts) {
     showPath: (states) => planning.offer(states),
     say: notice,
   });
-  fillPlanners(engine, planning).then((planners) => new Compare(model, planners));
   return planning;
 }

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <array>
 #include <iostream>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -114,6 +116,35 @@ TEST(MotionSampling, WhatIsCertifiedHoldsAtEverySample) {
         EXPECT_LE(falsely_refused[k], (certified[k] + refused[k]) / 1000) << name(check);
         std::cout << name(check) << ": " << certified[k] << " certified, " << refused[k]
                   << " refused, of these " << falsely_refused[k] << " without a failing sample\n";
+    }
+}
+
+/// What is roomier than a step before need not be measured.
+TEST(MotionSampling, TheTightestOfManyStepsIsThatOfEachOnItsOwn) {
+    Random random(7);
+    for (std::size_t i = 0; i < test::scaled(200); ++i) {
+        SCOPED_TRACE("seed 7, path " + std::to_string(i));
+        const RandomMotion first = random_motion(random);
+        std::vector<Points> states{first.from, first.to};
+        for (int step = 0; step < 20; ++step) {
+            states.push_back(states.back());
+            test::shake(random, states.back(), 2e-5);
+        }
+        const auto motion_of = [&](const std::vector<Points>& path) {
+            test::Case of_path = test::case_of(path);
+            of_path.problem.obstacles = first.boxes;
+            return validate(of_path.problem, of_path.solution, {.continuous = true}).motion;
+        };
+        const std::vector<CheckResult> together = motion_of(states);
+        std::vector<double> rooms(together.size(), std::numeric_limits<double>::infinity());
+        for (std::size_t step = 1; step < states.size(); ++step) {
+            const std::vector<CheckResult> alone = motion_of({states[step - 1], states[step]});
+            for (std::size_t k = 0; k < alone.size(); ++k)
+                if (alone[k].worst && alone[k].ok() == together[k].ok())
+                    rooms[k] = std::min(rooms[k], alone[k].worst->room);
+        }
+        for (std::size_t k = 0; k < together.size(); ++k)
+            if (together[k].worst) ASSERT_EQ(together[k].worst->room, rooms[k]);
     }
 }
 

@@ -14,6 +14,7 @@ export class Engine {
     this.ready = new Promise((resolve, reject) => {
       this.stopWaiting = resolve;
       this.worker.onmessage = ({ data }) => (data.kind === "ready" ? resolve(data) : this.answer(data));
+      if (this.worker.ready) resolve(this.worker.ready);
       this.worker.onerror = (event) => reject(new Error(event.message || "the engine does not start"));
     });
   }

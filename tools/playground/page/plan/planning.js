@@ -2,7 +2,7 @@
 // nothing changes any more, the path gets shorter. What is shown is always one problem with its
 // own path, or with none: a problem waits a moment for its path, and is then shown without it.
 
-/** Seconds for the first look at a problem, and for the looks after it when it stays unsolved. */
+/** Seconds for the first look at a problem that has a path to start from, and for the looks after it when it stays unsolved. */
 const firstLook = 0.2;
 const longestLook = 1;
 /** Seconds without a path after which "unknown" is the answer. */
@@ -11,13 +11,21 @@ const patience = 20;
 const slice = 0.03;
 const vainSlices = 8;
 const leastGain = 1e-5;
+/**
+ * Milliseconds without a change after which a path is improved, since a slice of that would keep the next change waiting;
+ * more while something is held that may go on.
+ */
+const [rest, restWhileHeld] = [150, 1000];
 /** Milliseconds that a changed problem waits for its path before it is shown without one. */
 const wait = 120;
 /** Milliseconds after which a plan for an old problem is not waited for any more. */
 const tooOld = 1500;
 
 export class Planning {
-  /** present(shown): shown is {problem, version, state, answer}; state says what the answer is worth. */
+  /**
+   * present(shown, done, samePath): shown is {problem, version, state, answer}; state says what the answer is worth, done
+   * that no better one is looked for, samePath that the path is the one that was presented last.
+   */
   constructor(engine, model, present) {
     Object.assign(this, { engine, model, present });
     this.planner = "auto";
@@ -26,15 +34,19 @@ export class Planning {
     this.best = null; // the last path, of whatever problem: where the next plan starts
     this.busy = false;
     this.sent = 0;
-    this.timings = []; // milliseconds from a change to its answer
+    this.timings = []; // milliseconds from a change to the path that answers it, painted
+    this.wakeUp = () => {};
+    /** What the first path has no need of is to wait for this. */
+    this.firstAnswer = new Promise((resolve) => { this.answered = resolve; });
     model.onChange(() => this.changed());
   }
 
   changed() {
+    this.wakeUp();
     if (this.version === this.model.version) return;
     this.version = this.model.version;
     this.changedAt = performance.now();
-    this.look = firstLook;
+    this.look = this.best ? firstLook : longestLook;
     this.spent = 0;
     this.vain = 0;
     this.seed = 1;
@@ -61,7 +73,7 @@ export class Planning {
   show(shown) {
     this.shown = shown;
     if (shown.state === "solved") this.firstPathAt ??= performance.now();
-    this.present(shown);
+    this.present(shown, false, false);
   }
 
   /** Another planner, or the same with other settings ({key: value}): from nothing. */
@@ -94,8 +106,7 @@ export class Planning {
       while (!this.done) {
         await this.engine.whenReady();
         await this.planOnce();
-        // What the page has to do between two plans goes first.
-        await new Promise((resume) => setTimeout(resume));
+        if (this.solved) await this.stillness();
       }
     } catch (error) {
       this.done = true;
@@ -104,21 +115,40 @@ export class Planning {
     this.busy = false;
   }
 
+  /** Is the path on show one for the problem as it is now? */
+  get solved() {
+    return this.shown.version === this.version && this.shown.state === "solved";
+  }
+
+  /** Resolves when the problem changes, or has not changed for a while. */
+  async stillness() {
+    const left = () => this.changedAt + (this.model.held ? restWhileHeld : rest) - performance.now();
+    do {
+      // Also where there is nothing left to wait for: what the page has to do goes first.
+      await new Promise((resolve) => {
+        this.wakeUp = resolve;
+        setTimeout(resolve, left());
+      });
+    } while (this.solved && left() > 0);
+  }
+
   async planOnce() {
     const { problem, version } = this.model;
     const askedAt = this.changedAt;
-    const before = this.shown.version === version && this.shown.state === "solved" ? this.shown.answer : null;
+    const before = this.solved ? this.shown.answer : null;
     const improving = before !== null;
     this.sent = performance.now();
     const answer = await this.engine.ask("plan", {
       problem, planner: this.planner, settings: this.settings, seed: this.seed, slot: "live", trees: false,
-      optimize: improving ? slice : 0, timeLimit: improving ? 2 : this.look, progress: false,
+      optimize: improving ? slice : 0, timeLimit: improving ? 2 : this.look, bound: improving && !before.bound, progress: false,
       warm: this.best && this.best.columns === columnsOf(problem) ? this.best.states.slice() : null,
     });
-    if (answer.status !== "interrupted" && !improving) this.timings.push(performance.now() - askedAt);
+    this.answered();
+    if (before) answer.bound = before.bound ??= answer.bound; // of one problem it is found once
     if (answer.status === "solved" && answer.valid) this.take(answer, problem, version, before);
-    else if (answer.status === "not found" && this.look === firstLook) this.without(await this.proofOr(answer, problem), problem, version);
+    else if (answer.status === "not found" && this.spent === 0) this.without(await this.proofOr(answer, problem), problem, version);
     else this.without(answer, problem, version);
+    if (answer.status !== "interrupted" && !improving) this.timings.push(performance.now() - askedAt);
   }
 
   /** A short look may end before the proof that there is no path; that is asked for on its own. */
@@ -142,7 +172,8 @@ export class Planning {
       this.best = { states: answer.states, columns: columnsOf(problem) };
       this.show({ problem, version, state: "solved", answer });
     }
-    if (latest && this.done) this.present(this.shown, true);
+    // The path is on show already, but its bound or that it is the last one may be news.
+    if (latest && (this.done || !gained)) this.present(this.shown, this.done, true);
   }
 
   /** No path, whatever the reason. */

@@ -1,8 +1,12 @@
-// The worker lies in the page as a text, so that it starts without any request.
+// Workers of the text that lies in the page, so that they start without any request; first_worker.js has started the first.
 
-let address = null;
+/* global newWorker, firstWorker, engineBytes */
+
+let first = firstWorker;
 
 export function startWorker() {
-  address ??= URL.createObjectURL(new Blob([document.getElementById("engine").textContent], { type: "text/javascript" }));
-  return new Worker(address);
+  const worker = first ?? newWorker();
+  if (worker !== first) worker.postMessage({ kind: "engine", bytes: engineBytes });
+  first = null;
+  return worker;
 }
