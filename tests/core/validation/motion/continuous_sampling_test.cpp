@@ -144,7 +144,9 @@ TEST(MotionSampling, TheTightestOfManyStepsIsThatOfEachOnItsOwn) {
                     rooms[k] = std::min(rooms[k], alone[k].worst->room);
         }
         for (std::size_t k = 0; k < together.size(); ++k)
-            if (together[k].worst) ASSERT_EQ(together[k].worst->room, rooms[k]);
+            if (together[k].worst) {
+                ASSERT_EQ(together[k].worst->room, rooms[k]);
+            }
     }
 }
 
