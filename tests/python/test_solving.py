@@ -79,12 +79,22 @@ def test_options_that_make_no_sense_are_value_errors(past_a_box, options):
 
 def test_all_options_at_once(past_a_box):
     result = asv.solve(past_a_box, "rrt-connect", seed=3, time_limit=30, optimize=0.05, threads=2,
-                       reverse=True, keep_trees=True)
+                       reverse=True, keep_trees=True, max_iterations=100_000,
+                       certify_motion=True, find_bounds=False)
+    assert result.report.valid and result.report.motion
+    assert result.lower_bound is None
     assert result.solved and {tree.root for tree in result.trees.trees} == {"start", "goal"}
     spent = result.statistics
     assert 0 < spent.time_to_first <= spent.time_total and spent.iterations >= 0
     assert spent.state_checks > 0 and sum(spent.tree_nodes) > 0
     assert spent.cost_history[-1][1] == pytest.approx(spent.cost, rel=1e-3)
+
+
+def test_a_search_ends_after_so_many_iterations(testcases):
+    problem = asv.read_problem(testcases / "7ASV.txt")
+    result = asv.solve(problem, "rrt", max_iterations=5)
+    assert result.status == "timeout" and result.report is None
+    assert result.statistics.iterations == 5
 
 
 def long_search(testcases):

@@ -63,6 +63,12 @@ class SolveResult:
         return self.statistics.cost_lower_bound or None
 
     @property
+    def report(self) -> Optional[_core.ValidationReport]:
+        """The validator's, of the solution, the motion between the states where that was to be
+        certified; None without a solution."""
+        return self._outcome.report if self.solved else None
+
+    @property
     def statistics(self) -> _core.SolveStatistics:
         """Times in seconds, costs, nodes, checks."""
         return self._outcome.statistics
@@ -99,16 +105,20 @@ class SolveResult:
 
 
 def solve(problem: _core.Problem, planner: Union[str, Planner] = "auto", *, seed: int = 1,
-          time_limit: float = 60.0, optimize: float = 1.0, threads: int = 1,
-          reverse: bool = False, keep_trees: bool = False,
+          time_limit: float = 60.0, max_iterations: Optional[int] = None, optimize: float = 1.0,
+          threads: int = 1, reverse: bool = False, keep_trees: bool = False,
+          certify_motion: bool = False, find_bounds: bool = True,
           on_progress: Optional[Callable[[_core.SolveProgress], object]] = None,
           should_stop: Optional[Callable[[], bool]] = None) -> SolveResult:
     """Plans, improves and checks.
 
     planner: a name or a Planner. seed: with one thread and enough time the same seed gives the
-    same path. time_limit: seconds of wall clock for everything. optimize: improvement after the
-    first path, in seconds of work of a 2.8 GHz core, counted, not timed. threads: that race and
-    improve. reverse: plan from the goal to the start. keep_trees: fill SolveResult.trees.
+    same path. time_limit: seconds of wall clock for everything. max_iterations: of each thread's
+    search, no limit if None. optimize: improvement after the first path, in seconds of work of a
+    2.8 GHz core, counted, not timed. threads: that race and improve. reverse: plan from the goal
+    to the start. keep_trees: fill SolveResult.trees. certify_motion: let the validator check the
+    motion between the states too, see SolveResult.report. find_bounds: fill
+    SolveResult.lower_bound.
 
     on_progress: called some ten times a second, in the calling thread. should_stop: asked some
     fifty times a second, for example threading.Event().is_set; True ends the work early, and the
@@ -119,8 +129,9 @@ def solve(problem: _core.Problem, planner: Union[str, Planner] = "auto", *, seed
     """
     chosen = as_planner(planner)
     outcome = _core.solve(
-        problem, chosen._choice, seed=seed, time_limit=time_limit, optimize=optimize,
-        threads=threads, reverse=reverse, keep_trees=keep_trees, on_progress=on_progress,
+        problem, chosen._choice, seed=seed, time_limit=time_limit, max_iterations=max_iterations,
+        optimize=optimize, threads=threads, reverse=reverse, keep_trees=keep_trees,
+        certify_motion=certify_motion, find_bounds=find_bounds, on_progress=on_progress,
         should_stop=should_stop)
     return SolveResult(problem, chosen.name, outcome)
 

@@ -1,6 +1,7 @@
 #include "core/solve/solve.hpp"
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -74,6 +75,7 @@ void bind_result(py::module_& module) {
             "solution",
             [](const SolveResult& result) { return result.solution ? &*result.solution : nullptr; },
             py::return_value_policy::reference_internal)
+        .def_readonly("report", &SolveResult::report)
         .def_readonly("statistics", &SolveResult::statistics)
         .def("trees", &trees_of, "planner"_a, "asv_count"_a);
 }
@@ -102,20 +104,25 @@ void bind_solve(py::module_& module) {
     module.def(
         "solve",
         [](const core::Problem& problem, const PlannerChoice& planner, std::uint64_t seed,
-           double time_limit, double optimize, std::size_t threads, bool reverse, bool keep_trees,
-           const py::object& on_progress, const py::object& should_stop) {
+           double time_limit, const std::optional<std::size_t>& max_iterations, double optimize,
+           std::size_t threads, bool reverse, bool keep_trees, bool certify_motion,
+           bool find_bounds, const py::object& on_progress, const py::object& should_stop) {
             core::SolveOptions options;
             options.planner = planner.planner;
             options.seed = seed;
             options.time_limit = seconds(time_limit, "time_limit");
+            if (max_iterations) options.max_iterations = *max_iterations;
             options.optimize = seconds(optimize, "optimize");
             options.threads = threads;
             options.reverse = reverse;
             options.keep_trees = keep_trees;
+            options.certify_motion = certify_motion;
+            options.find_bounds = find_bounds;
             return solve_watched(problem, std::move(options), on_progress, should_stop);
         },
-        "problem"_a, "planner"_a, py::kw_only(), "seed"_a, "time_limit"_a, "optimize"_a,
-        "threads"_a, "reverse"_a, "keep_trees"_a, "on_progress"_a, "should_stop"_a);
+        "problem"_a, "planner"_a, py::kw_only(), "seed"_a, "time_limit"_a, "max_iterations"_a,
+        "optimize"_a, "threads"_a, "reverse"_a, "keep_trees"_a, "certify_motion"_a, "find_bounds"_a,
+        "on_progress"_a, "should_stop"_a);
     module.def(
         "invalid_ends",
         [](const core::Problem& problem) {
