@@ -64,7 +64,7 @@ TEST(Shortcutter, PartialShortcutsKeepEndsAndValidityAndGain) {
         wanderer.expect_same_ends(shortcutter.path());
         Oracle(wanderer.world).expect_valid_path(shortcutter.path());
     });
-    EXPECT_GT(gains, 20U);
+    EXPECT_GT(gains, scaled(20));
 }
 
 TEST(Shortcutter, DetoursThatCostMoreAreNotTaken) {
