@@ -13,9 +13,9 @@ namespace asv::core {
 
 namespace {
 
-// Where these come from: of the paths of 9 problems that ended within 1 % of the best, nine in ten
-// cost at most 1.25 times as much as that after the shortcuts, 1.04 after three pulls, 1.01 after
-// all of them.
+// Where these come from: on 9 problems, nine in ten of the paths that ended within 1 % of the best
+// cost at most 1.25 times as much as that after some shortcuts (1.45 in one maze), 1.03 after three
+// pulls, 1.02 after all of them.
 
 /// So many shortcuts in a row without a gain end them.
 constexpr int shortcut_patience = 25;
@@ -123,7 +123,10 @@ class RouteImprovement {
     void renew_piece() {
         const Configurations path = improvement_.best_path();
         const Piece piece = draw_piece(path);
-        if (piece.last < piece.first + 2) return improvement_.charge(idle_work);
+        if (piece.last < piece.first + 2) {
+            improvement_.charge(idle_work);
+            return;
+        }
         const Leader leader = rng_.chance(0.5) ? Leader::first_asv : Leader::last_asv;
         RouteSearch::Found found =
             routes_.search_between({row(path, piece.first), row(path, piece.last)}, leader, rng_);
@@ -146,7 +149,7 @@ class RouteImprovement {
                 static_cast<std::size_t>(last - cost_to.begin()), *last - *first};
     }
 
-    /// False where it was dropped: it cost no less than the old one.
+    /// False where it was dropped on the way.
     bool shorten_piece(Configurations& path, double old_cost) {
         ImproveOptions options;
         options.work = improvement_.work_left();

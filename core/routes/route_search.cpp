@@ -21,7 +21,7 @@ constexpr std::size_t iterations_between = 300;
 constexpr double min_search_work = 50, uncounted = 1.2;
 /// The best of the routes is taken so often; else one of the first class, half as often of the
 /// second and so on.
-constexpr double best_share = 0.5;
+constexpr double best_share = 0.5, next_class_share = 0.5;
 
 }  // namespace
 
@@ -38,9 +38,7 @@ RouteSearch::Found RouteSearch::search_along_route(double best_cost, Rng& rng) {
     Route& route = choose(best_cost, rng);
     last_ = &route;
     route.tried = true;
-    Limits limits = options_.limits;
-    limits.max_iterations = static_cast<std::size_t>(
-        std::min(route.patience * static_cast<double>(limits.max_iterations), 1e18));
+    const Limits limits = with_patience(options_.limits, route.patience);
     Found found = search(*route.world, {world_.start, world_.goal}, route.leader, limits, rng);
     if (found.path.empty()) route.patience *= growth;
     found.work += ways_.work() - std::exchange(work_of_ways_, ways_.work());
@@ -69,9 +67,8 @@ bool RouteSearch::add_next_way(double best_cost) {
     const Way& added = classes_.back();
     const ChainWorld* world = &world_;
     if (!added.closed.empty()) {
-        Problem problem = world_.problem;
-        problem.obstacles.insert(problem.obstacles.end(), added.closed.begin(), added.closed.end());
-        closed_worlds_.push_back(std::make_unique<ChainWorld>(problem, Anchor::centroid));
+        closed_worlds_.push_back(std::make_unique<ChainWorld>(
+            with_closed_gates(world_.problem, added.closed), Anchor::centroid));
         world = closed_worlds_.back().get();
     }
     for (const Leader leader : {Leader::last_asv, Leader::first_asv})
@@ -94,7 +91,7 @@ RouteSearch::Route& RouteSearch::choose(double best_cost, Rng& rng) {
             routes_.begin(), routes_.end(),
             [](const Route& a, const Route& b) { return a.best_cost < b.best_cost; });
     std::size_t rank = 0;
-    while (rng.chance(0.5) && is_promising(rank + 1, best_cost)) ++rank;
+    while (rng.chance(next_class_share) && is_promising(rank + 1, best_cost)) ++rank;
     std::vector<Route*> of_class;
     for (Route& route : routes_)
         if (route.way == &classes_[rank]) of_class.push_back(&route);
@@ -109,12 +106,14 @@ bool RouteSearch::is_promising(std::size_t rank, double best_cost) {
 }
 
 RouteSearch::Found RouteSearch::search(const ChainWorld& world, const Query& query, Leader leader,
-                                       const Limits& limits, Rng& rng) const {
+                                       const Limits& limits, Rng& rng) {
     SlideAndPullOptions options = options_.search;
     options.leader = leader;
     SlideSpace space(world, options_.steering);
     Found found;
     found.path = slide_and_pull(space, query, options, limits, rng).path;
+    state_checks_ += space.checker().state_checks();
+    motion_checks_ += space.checker().motion_checks();
     const ChainWork done{space.checker().state_checks(), space.constrained_steps(), 0};
     found.work = std::max(
         min_search_work,

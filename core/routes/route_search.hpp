@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <limits>
 #include <memory>
@@ -38,13 +39,13 @@ class RouteSearch {
         double work = 0;      ///< microseconds, counted
     };
 
-    /// Is there a route that was not tried yet, among those of the first few classes whose bounds
-    /// are below that cost?
+    /// Is there a route that was not tried yet, and its bound below that cost? Looks at the first
+    /// few classes, and at others once search_along_route() has come to them.
     bool has_untried(double best_cost);
 
-    /// Searches along the next route: of the first few classes one that was not tried yet, in the
-    /// order of the bounds, or else by turns at random that of the best cost and any one, the
-    /// sooner the lower its bound is.
+    /// Searches along the next route: one that was not tried yet, in the order of the bounds, or
+    /// else by turns at random that of the best cost and any one, the sooner the lower its bound
+    /// is; so it comes to further classes.
     Found search_along_route(double best_cost, Rng& rng);
 
     /// Tells what the path of that search costs once it is shortened, as far as it was.
@@ -52,6 +53,10 @@ class RouteSearch {
 
     /// Searches between two configurations with this end in the lead.
     Found search_between(const Query& query, Leader leader, Rng& rng);
+
+    /// Of all searches.
+    std::uint64_t state_checks() const { return state_checks_; }
+    std::uint64_t motion_checks() const { return motion_checks_; }
 
   private:
     struct Route {
@@ -68,7 +73,7 @@ class RouteSearch {
     Route& choose(double best_cost, Rng& rng);
     bool is_promising(std::size_t rank, double best_cost);
     Found search(const ChainWorld& world, const Query& query, Leader leader, const Limits& limits,
-                 Rng& rng) const;
+                 Rng& rng);
 
     const ChainWorld& world_;
     RouteSearchOptions options_;
@@ -79,6 +84,7 @@ class RouteSearch {
     std::deque<Route> routes_;
     Route* last_ = nullptr;
     double work_of_ways_ = 0;  ///< that was charged
+    std::uint64_t state_checks_ = 0, motion_checks_ = 0;
 };
 
 }  // namespace asv::core

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <limits>
@@ -31,6 +32,14 @@ struct Limits {
         return std::nullopt;
     }
 };
+
+/// The limits with so many times the iterations.
+inline Limits with_patience(Limits limits, double patience) {
+    constexpr double most = 1e18;
+    const double iterations = patience * static_cast<double>(limits.max_iterations);
+    limits.max_iterations = static_cast<std::size_t>(std::min(iterations, most));
+    return limits;
+}
 
 /// The one place in which a search is watched: tells the observer, then says whether a limit is
 /// reached, and notes in the result which.

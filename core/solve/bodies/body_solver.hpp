@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -51,14 +50,6 @@ struct ImprovementOrder {
     Limits search_limits;
     CostObserver on_better = {};  ///< is told the cost of each better path
 };
-
-/// The limits with so many times the iterations.
-inline Limits with_patience(Limits limits, double patience) {
-    constexpr double most = 1e18;
-    const double iterations = patience * static_cast<double>(limits.max_iterations);
-    limits.max_iterations = static_cast<std::size_t>(std::min(iterations, most));
-    return limits;
-}
 
 /// The stages of solving that depend on the body: its space, its searches, its improvement, its
 /// primitive steps, all in the coordinates of the problem that it is made for. Immutable once made,

@@ -134,6 +134,7 @@ class ChainSolver : public BodySolver {
         if (sliding && order.other_paths) {
             RouteSearch routes(world_, {sliding->steering, sliding->search, order.search_limits});
             improved.path = improve_along_routes(path, world_, shortener, routes, options, rng);
+            improved.checks += {routes.state_checks(), routes.motion_checks()};
         } else {
             improved.path = core::improve(path, shortener, options, rng);
         }

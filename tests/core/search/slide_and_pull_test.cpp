@@ -1,5 +1,7 @@
 #include "core/search/slide_and_pull.hpp"
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "core/model/problem.hpp"
@@ -24,6 +26,35 @@ TEST(SlidePull, PullsItsShareOfTheIterations) {
         slide_and_pull(space, {start, goal}, options, limits, rng);
         // One target in ten lies in the wall and is not pulled to.
         EXPECT_NEAR(static_cast<double>(space.pulls), 900 * share, 60);
+    }
+}
+
+/// A body with two ends that notes which of them is pulled, on which side of the wall.
+struct PulledEnds : PointSpace {
+    using PointSpace::PointSpace;
+    std::size_t asv_count() const { return 2; }
+    Steered pull(std::span<const double> from, std::size_t asv, const geometry::Point& target,
+                 Configurations& visited) {
+        ++(from[0] < 0.5 ? left : right)[asv];
+        return PointSpace::pull(from, asv, target, visited);
+    }
+    std::array<int, 2> left{}, right{};
+};
+
+TEST(SlidePull, TheEndThatLeadsOutOfTheStartComesLastIntoTheGoal) {
+    for (const Leader leader : {Leader::first_asv, Leader::last_asv, Leader::either}) {
+        PulledEnds space(test::closed_wall());
+        Limits limits;
+        limits.max_iterations = 300;
+        Rng rng(1);
+        SlideAndPullOptions options;
+        options.leader = leader;
+        slide_and_pull(space, {start, goal}, options, limits, rng);
+        const bool first = leader != Leader::last_asv, last = leader != Leader::first_asv;
+        EXPECT_EQ(space.left[0] > 0, first);
+        EXPECT_EQ(space.left[1] > 0, last);
+        EXPECT_EQ(space.right[0] > 0, last);
+        EXPECT_EQ(space.right[1] > 0, first);
     }
 }
 
