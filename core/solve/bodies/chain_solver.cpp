@@ -121,10 +121,8 @@ class ChainSolver : public BodySolver {
         };
         ImproveOptions options{
             .work = order.work, .limits = order.limits, .on_better = order.on_better};
-        if (order.other_paths) {
-            options.another = another;
+        if (order.other_paths)
             options.good_enough = nothing_to_gain_below(world_.problem, order.work);
-        }
 
         MotionChecker checker = world_.make_checker();
         const auto* sliding = std::get_if<AutoPlanner>(&planner_);
@@ -136,6 +134,7 @@ class ChainSolver : public BodySolver {
             improved.path = improve_along_routes(path, world_, shortener, routes, options, rng);
             improved.checks += {routes.state_checks(), routes.motion_checks()};
         } else {
+            if (order.other_paths) options.another = another;
             improved.path = core::improve(path, shortener, options, rng);
         }
         improved.optimal = cost(improved.path) <= options.good_enough;
