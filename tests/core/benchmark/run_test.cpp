@@ -65,8 +65,8 @@ TEST(RunBenchmark, EachRunIsThatOfTheFacade) {
         SolveOptions options;
         options.planner = plan.planners[run.place.planner].planner;
         options.seed = run.place.seed;
-        options.time_limit = 10;
-        options.optimize = 0;
+        options.time_limit = plan.time_limit;
+        options.optimize = plan.optimize;
         options.reverse = run.place.direction == Direction::reversed;
         const SolveResult result = solve(plan.problems[run.place.problem].problem, options);
         expect_same_work(run.spent, result.statistics);
