@@ -54,6 +54,7 @@ site_packages=(
 )
 playground_packages=(
     emscripten                     # a compiler for WebAssembly
+    libstb-dev                     # reads PNG pictures there
 )
 
 what=${1:-build}

@@ -1,11 +1,7 @@
 #include "io/map/map_file.hpp"
 
-#include <algorithm>
-#include <vector>
-
-#include <png.h>
-
 #include "io/map/anymap.hpp"
+#include "io/map/png_map.hpp"
 #include "io/map/words.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/parse_error.hpp"
@@ -15,38 +11,6 @@ namespace asv::io {
 namespace {
 
 using geometry::Grid;
-
-/// A PNG picture as libpng reads it; what it holds is given back on every way out.
-struct PngReader {
-    png_image image{};
-
-    PngReader() { image.version = PNG_IMAGE_VERSION; }
-    ~PngReader() { png_image_free(&image); }
-    PngReader(const PngReader&) = delete;
-    PngReader& operator=(const PngReader&) = delete;
-};
-
-Grid parse_png(std::string_view content, const std::string& name, double threshold) {
-    PngReader reader;
-    const auto require = [&](int done) {
-        if (done == 0) throw ParseError(name, 1, 1, "a PNG picture", reader.image.message);
-    };
-    require(png_image_begin_read_from_memory(&reader.image, content.data(), content.size()));
-    Grid grid = MapWords({}, name, false).make_grid(reader.image.width, reader.image.height);
-    // 8 bits for each colour, whatever it had, on white.
-    reader.image.format = PNG_FORMAT_RGB;
-    const png_color white{255, 255, 255};
-    std::vector<unsigned char> pixels(PNG_IMAGE_SIZE(reader.image));
-    require(png_image_finish_read(&reader.image, &white, pixels.data(), 0, nullptr));
-    for (std::size_t y = 0; y < grid.height; ++y) {
-        for (std::size_t x = 0; x < grid.width; ++x) {
-            const unsigned char* pixel =
-                pixels.data() + 3 * ((grid.height - 1 - y) * grid.width + x);
-            grid.cells[y * grid.width + x] = luma(pixel[0], pixel[1], pixel[2]) <= threshold;
-        }
-    }
-    return grid;
-}
 
 /// The digits up to the end of the file.
 Grid read_digits(MapWords& words, std::uint64_t width, std::uint64_t height) {
@@ -100,7 +64,7 @@ Grid parse_text_grid(std::string_view content, const std::string& name) {
 
 Grid parse_map(std::string_view content, const std::string& name, double threshold) {
     if (is_anymap(content)) return parse_anymap(content, name, threshold);
-    if (content.starts_with("\x89PNG")) return parse_png(content, name, threshold);
+    if (is_png(content)) return parse_png(content, name, threshold);
     return parse_text_grid(content, name);
 }
 

@@ -21,11 +21,12 @@ using Pointer = JsonDocument::Pointer;
 
 constexpr double min_positive = std::numeric_limits<double>::min();
 
-/// The path without links and dots, as far as it exists.
+/// The path without links and dots, as far as it exists; in a browser, which has no file system, as
+/// it is.
 fs::path resolved(const fs::path& file) {
     std::error_code error;
     const fs::path result = fs::weakly_canonical(file, error);
-    return error ? file : result;
+    return error || result.empty() ? file : result;
 }
 
 bool is_below(const fs::path& file, const fs::path& folder) {

@@ -1,7 +1,7 @@
 // The worker as a page uses it, and the programs that its answers are compared with.
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { Worker } from "node:worker_threads";
 
 const { ASV_ENGINE: engineFolder, ASV_PROGRAMS: programs, ASV_SOURCE: source } = process.env;
@@ -35,8 +35,11 @@ export class Engine {
     });
   }
 
+  /** A problem, or a scenario with whatever it may name of the files beside it. */
   async read(file) {
-    return this.ask("read", { name: file, text: readFileSync(file, "utf8") });
+    const text = readFileSync(file, "utf8");
+    const name = text.startsWith("{") && JSON.parse(text).map?.file;
+    return this.ask("read", { name: file, text, files: name ? { [name]: readFileSync(join(dirname(file), name), "latin1") } : {} });
   }
 
   close() {

@@ -1,7 +1,7 @@
 // The planner and the validator in a worker: messages in, messages out, in order.
 //
 // Page -> worker {id, kind, ...}; worker -> page {id, kind: "result" | "progress" | "error", ...}. An error has a
-// message and, where text was read, its line and column. A problem is the JSON object of docs/scenario.md (no map). States are a
+// message and, where text was read, its line and column. A problem is the JSON object of docs/scenario.md (no map, whose rectangles are obstacles). States are a
 // Float64Array, one state after the other, each x1 y1 x2 y2 ... in chain order (of an arm: all joints, the base first).
 // Arrays of an answer are transferred. Before all else the worker says {kind: "ready", version, simd}; one that is made of a
 // text waits for {kind: "engine", bytes}, a gzipped engine.wasm, before that.
@@ -19,7 +19,9 @@
 //   validate {problem, states}   -> {valid, checks: [{name, ok, text}], cost}
 //   profile  {problem, states}   -> {clearance, area, turn, cost}: Float64Arrays, one number for each state
 //   planners {}                  -> {planners: [{name, summary, source, settings: [{key, meaning, unit, min, max, default}]}]}
-//   read     {name, text, problem} -> {problem, states | null}; the problem is needed for a solution file
+//   read     {name, text, problem, files: {name: bytes}} -> {problem, states | null, maps: [name]}
+//                                   the problem is needed for a solution file; files are those that a scenario may name, the
+//                                   bytes of each as characters U+0000 to U+00FF; maps are those that it does
 //   write    {what: "problem" | "scenario" | "solution", problem, states} -> {name, text}
 //
 // optimize and timeLimit are seconds. A plan is warm-started from the states of `warm`, a path of a problem like this one.

@@ -5,7 +5,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { close, file, text } from "../../browser/browser.mjs";
+import { close, file, screenshot, text } from "../../browser/browser.mjs";
 import { openExample, openPlayground, problemOf, waitFor } from "./page.mjs";
 
 const { ASV_PROGRAMS, ASV_SOURCE } = process.env;
@@ -50,6 +50,21 @@ test("a saved problem and its solution are opened again", async () => {
   await page.setInputFiles("#file", join(ASV_SOURCE, "testcases", "invalid", "coordinate-word.txt"));
   await page.waitForFunction(() => /line \d/.test(document.getElementById("notice").textContent));
   assert.equal((await problemOf(page)).start.length, 7, "a file that is no problem changes nothing");
+  await close(page);
+});
+
+test("a scenario is opened together with its map, and asks for it alone", async () => {
+  const page = await openPlayground();
+  await openFiles(page);
+  const [scenario, map] = ["point-town.json", "town.png"].map((name) => join(ASV_SOURCE, "testcases", "bodies", name));
+  await page.setInputFiles("#file", scenario);
+  await page.waitForFunction(() => /choose it together with the scenario/.test(document.getElementById("notice").textContent));
+  await page.setInputFiles("#file", [map, scenario]);
+  await page.waitForFunction(() => /point-town.json with town.png is opened/.test(document.getElementById("notice").textContent));
+  await waitFor(page, "solved");
+  assert.equal((await problemOf(page)).obstacles.length, 25);
+  await screenshot(page, "point-town");
+  assert.deepEqual(page.troubles, []);
   await close(page);
 });
 

@@ -58,21 +58,28 @@ const verdicts = (page) => page.evaluate(async () => {
   return { frames, withPath, without, wrong, paths: shown.size };
 });
 
+const moreBoxes = [[[0.47, 0.08], [0.5, 0.11]], [[0.78, 0.72], [0.82, 0.76]], [[0.6, 0.3], [0.63, 0.33]]];
 const cases = [
-  { name: "7ASV", from: [0.7, 0.645], to: [0.35, 0.2] },
-  { name: "3ASV", from: null, to: null },
+  { what: "7ASV", name: "7ASV", from: [0.7, 0.645], to: [0.35, 0.2], more: [] },
+  { what: "7ASV with 10 boxes", name: "7ASV", from: [0.7, 0.645], to: [0.35, 0.2], more: moreBoxes },
+  { what: "3ASV", name: "3ASV", from: null, to: null, more: [] },
 ];
 
-for (const { name, from, to } of cases) {
-  test(`a path follows a box that is dragged across that of ${name} for 100 frames`, async () => {
+for (const { what, name, from, to, more } of cases) {
+  test(`a path follows a box that is dragged across that of ${what} for 100 frames`, async () => {
     const page = await openPlayground();
     await openExample(page, name);
+    if (more.length > 0) {
+      await page.evaluate((boxes) => playground.model.edit((problem) => ({ ...problem, obstacles: [...boxes, ...problem.obstacles] })), more);
+      await waitFor(page, "solved");
+    }
     const problem = await problemOf(page);
     const [low, high] = problem.obstacles[problem.obstacles.length - 1];
     const start = from ?? [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
     const end = to ?? [0.5, 0.3];
     await page.evaluate(() => { playground.planning.timings.length = 0; });
     await judgeFrames(page);
+    await screenshot(page, `before-dragging-${what.replaceAll(" ", "-")}`);
     await page.mouse.move(...await placeOf(page, ...start));
     await page.mouse.down();
     const moves = 100;
@@ -86,7 +93,7 @@ for (const { name, from, to } of cases) {
     await waitFor(page, "solved");
     const timings = await page.evaluate(() => playground.planning.timings);
     const found = await verdicts(page);
-    record({ [`dragging a box in ${name}`]: {
+    record({ [`dragging a box in ${what}`]: {
       "ms from change to path: p50": rounded(percentile(timings, 0.5)), p95: rounded(percentile(timings, 0.95)),
       worst: rounded(Math.max(...timings)), changes: timings.length, "frames with a path": found.withPath, without: found.without,
       "paths shown": found.paths } });

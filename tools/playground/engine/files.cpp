@@ -7,14 +7,17 @@
 #include "io/problem/problem_file.hpp"
 #include "io/problem/scenario_file.hpp"
 #include "io/solution/solution_file.hpp"
+#include "tools/playground/engine/given_files.hpp"
 #include "tools/playground/engine/problem_json.hpp"
 
 namespace asv::playground {
 
 namespace {
 
-/// A solution begins with two numbers, its steps and its cost; a problem with one.
+/// A solution begins with two numbers, its steps and its cost; a problem with one, a scenario with
+/// '{'.
 bool begins_like_a_solution(const std::string& text) {
+    if (io::is_scenario(text)) return false;
     std::string line, word;
     std::getline(std::istringstream(text), line);
     std::istringstream words(line);
@@ -65,10 +68,13 @@ Answer read(const Request& request) {
         answer.json["problem"] = *given;
         answer.add("states", numbers_of(io::parse_solution(text, problem.asv_count(), name).path));
     } else {
+        const GivenFiles files(request.json.value("files", Json::object()));
         const io::ProblemFile file = io::is_scenario(text) ? io::parse_scenario(text, name, "")
                                                            : io::parse_problem(text, name);
         answer.json["problem"] = to_json(file.problem);
         answer.json["states"] = nullptr;
+        answer.json["maps"] = Json::array();
+        for (const auto& map : file.maps) answer.json["maps"].push_back(map.filename().string());
     }
     return answer;
 }

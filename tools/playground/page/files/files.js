@@ -12,6 +12,15 @@ function save({ name, text }) {
 
 const placeOf = ({ line, column }) => (line ? `, line ${line}${column ? `, column ${column}` : ""}` : "");
 
+/** A chosen file as text, and its bytes as characters, as the engine takes those of maps. */
+async function withContent(file) {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const characters = Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
+  return { name: file.name, text: new TextDecoder().decode(bytes), characters };
+}
+
+const isScenario = ({ text }) => text.trimStart().startsWith("{");
+
 export class Files {
   /** path(): the states on show or null; showPath(states): a solution was opened, throws where it is not valid; say(text): a notice. */
   constructor(engine, model, { path, showPath, say }) {
@@ -26,20 +35,31 @@ export class Files {
     });
   }
 
-  async openAll(files) {
+  /** Opens files one after the other, scenarios first: what they name as maps are no files to open. */
+  async openAll(chosen) {
     by("file").value = "";
-    for (const file of files) await this.openText(file.name, await file.text());
+    const files = await Promise.all(chosen.map(withContent));
+    const together = Object.fromEntries(files.map(({ name, characters }) => [name, characters]));
+    const maps = new Set();
+    for (const { name, text } of files.sort((a, b) => isScenario(b) - isScenario(a))) {
+      if (!maps.has(name)) (await this.openText(name, text, together)).forEach((map) => maps.add(map));
+    }
   }
 
-  /** Opens the text of a file: a problem, a scenario, or a solution of the problem on show. */
-  async openText(name, text) {
+  /**
+   * Opens the text of a file: a problem, a scenario with the files that it may name as maps, or a solution of the problem on
+   * show. Returns the names of the maps.
+   */
+  async openText(name, text, files = {}) {
     try {
-      const { problem, states } = await this.engine.ask("read", { name, text, problem: this.model.problem });
+      const { problem, states, maps = [] } = await this.engine.ask("read", { name, text, files, problem: this.model.problem });
       if (states) await this.showPath(states);
       else this.model.open(problem, name.replace(/\.[^.]*$/, ""));
-      this.say(states ? `The path of ${name} is valid, and shown.` : `${name} is opened.`);
+      this.say(states ? `The path of ${name} is valid, and shown.` : `${[name, ...maps].join(" with ")} is opened.`);
+      return maps;
     } catch (error) {
       this.say(`${name}${placeOf(error)}: ${error.message}`, true);
+      return [];
     }
   }
 
