@@ -30,7 +30,7 @@ manual_packages=(
     mandoc groff                   # what finds faults in manual pages
 )
 ci_packages=(
-    clang                          # a second compiler
+    clang libclang-rt-dev          # a second compiler, and its sanitizers
 )
 python_packages=(
     pybind11-dev python3-dev       # C++ that Python can call

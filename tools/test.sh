@@ -3,7 +3,8 @@
 # the end which were skipped and why. The Python module is built and tried by release and asan, where
 # the packages of `tools/install_packages.sh python` are there.
 # test.sh PRESET... runs them in other builds: asan with the sanitizers for memory and undefined
-# behaviour, tsan with the one for threads (only tests that start some), clang with that compiler.
+# behaviour, by clang, tsan with the one for threads (only tests that start some), clang with that
+# compiler and no sanitizer.
 # test.sh packages tries the release build as those meet it who install it (docs/packages.md).
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -11,7 +12,7 @@ cd "$(dirname "$0")/.."
 presets=("$@")
 [ $# -gt 0 ] || presets=(release)
 case " ${presets[*]} " in
-    *" clang "*) tools/install_packages.sh ci ;;
+    *" asan "* | *" clang "*) tools/install_packages.sh ci ;;
     *) tools/install_packages.sh test ;;
 esac
 case " ${presets[*]} " in
@@ -44,9 +45,9 @@ done
 
 for name in "${presets[@]}"; do
     echo "== $name"
-    # Sanitizers change what the optimiser sees, and with it what it warns of.
+    # This sanitizer changes what GCC's optimiser sees, and with it what it warns of.
     case "$name" in
-        asan | tsan) strict=OFF ;;
+        tsan) strict=OFF ;;
         *) strict=ON ;;
     esac
     python=OFF
