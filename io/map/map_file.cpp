@@ -41,23 +41,54 @@ Grid parse_bare_grid(MapWords& words) {
     return read_digits(words, width, height);
 }
 
+struct GridSize {
+    std::uint64_t width = 0, height = 0;
+};
+
+/// "height H" and "width W" in any order.
+GridSize read_size(MapWords& words, const std::string& expected) {
+    GridSize size;
+    while (size.width == 0 || size.height == 0) {
+        if (size.width == 0 && words.take("width")) {
+            size.width = words.number("the width", 1, max_map_side);
+        } else if (size.height == 0 && words.take("height")) {
+            size.height = words.number("the height", 1, max_map_side);
+        } else {
+            words.fail(expected);
+        }
+    }
+    return size;
+}
+
+/// What follows the word "type" in a map of the benchmarks for pathfinding on grids (Sturtevant,
+/// 2012), as MovingAI has them. Free is what one walks on: ground (. and G) and swamp (S); water
+/// (W) is not, nor are trees (T) and what is out of bounds (@ and O).
+Grid parse_benchmark_grid(MapWords& words) {
+    if (!words.take("octile"))
+        words.fail("'octile', the type of a map of 'height H' and 'width W'");
+    const GridSize size = read_size(words, "'height H' and 'width W'");
+    if (!words.take("map")) words.fail("'map' before the lines of the map");
+    if (size.width * size.height > words.rest().size())
+        words.fail(std::to_string(size.width * size.height) + " cells");
+    Grid grid = words.make_grid(size.width, size.height);
+    fill(grid, [&]() -> std::uint8_t {
+        const char cell = words.one_of(".GSWT@O", "a cell (one of . G S W T @ O)");
+        return cell == 'W' || cell == 'T' || cell == '@' || cell == 'O';
+    });
+    if (!words.at_end()) words.fail_here("the end of the file after the last cell");
+    return grid;
+}
+
 Grid parse_text_grid(std::string_view content, const std::string& name) {
     MapWords words(content, name, false);
     if (!words.at_end() && (words.rest()[0] == '0' || words.rest()[0] == '1'))
         return parse_bare_grid(words);
-    std::uint64_t width = 0, height = 0;
-    while (width == 0 || height == 0) {
-        if (width == 0 && words.take("width")) {
-            width = words.number("the width", 1, max_map_side);
-        } else if (height == 0 && words.take("height")) {
-            height = words.number("the height", 1, max_map_side);
-        } else {
-            words.fail(
-                "a picture (PBM, PGM, PPM or PNG), lines of digits 0 and 1, or 'height H' and "
-                "'width W' before them");
-        }
-    }
-    return read_digits(words, width, height);
+    if (words.take("type")) return parse_benchmark_grid(words);
+    const GridSize size = read_size(
+        words,
+        "a picture (PBM, PGM, PPM or PNG), lines of digits 0 and 1, 'height H' and 'width W' "
+        "before them, or 'type octile' before those");
+    return read_digits(words, size.width, size.height);
 }
 
 }  // namespace

@@ -17,7 +17,9 @@ inline constexpr double default_threshold = 127;
 ///   white): a pixel of at most `threshold` of 255 is occupied;
 /// - a text grid: lines of digits 0 (free) or 1 (occupied), with or without white space between
 ///   them; before them perhaps "height H" and "width W", and then the ends of lines mean nothing.
-///   `threshold` means nothing there.
+///   `threshold` means nothing there;
+/// - a map of the benchmarks for pathfinding on grids (Sturtevant, 2012; MovingAI): "type octile",
+///   "height H", "width W", "map", and lines of cells; free are '.', 'G' and 'S'.
 /// Which one it is shows in the content. Throws ParseError or ReadError, also for what is no
 /// regular file.
 geometry::Grid read_map(const std::filesystem::path& file, double threshold = default_threshold);

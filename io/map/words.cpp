@@ -69,9 +69,14 @@ std::uint64_t MapWords::number(const std::string& what, std::uint64_t low, std::
 }
 
 std::uint8_t MapWords::bit() {
+    return one_of("01", "0 or 1") == '1';
+}
+
+char MapWords::one_of(std::string_view characters, const std::string& expected) {
     skip_blanks();
-    if (at_ >= text_.size() || (text_[at_] != '0' && text_[at_] != '1')) fail_here("0 or 1");
-    return text_[at_++] == '1';
+    if (at_ >= text_.size() || characters.find(text_[at_]) == std::string_view::npos)
+        fail_here(expected);
+    return text_[at_++];
 }
 
 bool MapWords::at_end() {

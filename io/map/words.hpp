@@ -37,6 +37,9 @@ class MapWords {
     std::uint64_t number(const std::string& what, std::uint64_t low, std::uint64_t high);
     /// Steps over the next 0 or 1, which need not be a word of its own.
     std::uint8_t bit();
+    /// Steps over the next character that is no blank, which has to be one of these; expected says
+    /// so in the error.
+    char one_of(std::string_view characters, const std::string& expected);
     bool at_end();
 
     /// An empty grid of this size. Throws ParseError for more than max_map_cells.

@@ -50,6 +50,22 @@ TEST(MapFile, ReadsTheOtherPicturesOfNetpbm) {
               "#........#\n.#........\n");
 }
 
+TEST(MapFile, ReadsAMapOfThePathfindingBenchmarks) {
+    EXPECT_EQ(picture(parse_map("type octile\nheight 2\nwidth 5\nmap\n.G@OT\r\nSW..@\n", "m")),
+              "..###\n.#..#\n");
+    EXPECT_EQ(message("type octile\nheight 2\nwidth 2\nmap\n..\n.x"),
+              "map:6:2: expected a cell (one of . G S W T @ O), found 'x'");
+    EXPECT_EQ(message("type octile\nheight 2\nwidth 2\nmap\n..\n..\n."),
+              "map:7:1: expected the end of the file after the last cell, found '.'");
+    EXPECT_EQ(message("type octile\nheight 9\nwidth 9\nmap\n..\n"),
+              "map:5:1: expected 81 cells, found '..'");
+    EXPECT_EQ(message("type square\n"),
+              "map:1:6: expected 'octile', the type of a map of 'height H' and 'width W', found "
+              "'square'");
+    EXPECT_EQ(message("type octile\nheight 1\nwidth 1\n."),
+              "map:4:1: expected 'map' before the lines of the map, found '.'");
+}
+
 TEST(MapFile, ReadsAGridWithoutAHeaderOrWithAByteOrderMark) {
     EXPECT_EQ(picture(parse_map("0 0 0\n0 1 0\n\n0 0 0\n", "m")), "...\n.#.\n...\n");
     EXPECT_EQ(picture(parse_map("\xEF\xBB\xBF"
@@ -90,8 +106,8 @@ TEST(MapFile, ReadsAPngAndAGridOfTheTestcases) {
 
 TEST(MapFile, SaysWhatItCannotUnderstandAndWhere) {
     const std::string anything =
-        "a picture (PBM, PGM, PPM or PNG), lines of digits 0 and 1, or 'height H' and 'width W' "
-        "before them";
+        "a picture (PBM, PGM, PPM or PNG), lines of digits 0 and 1, 'height H' and 'width W' "
+        "before them, or 'type octile' before those";
     EXPECT_EQ(message(""), "map:1:1: expected " + anything + ", found the end of the file");
     EXPECT_EQ(message("height 2\nwide 3\n"), "map:2:1: expected " + anything + ", found 'wide'");
     EXPECT_EQ(message("\x7f"
