@@ -4,6 +4,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <system_error>
 #include <thread>
 
@@ -14,15 +15,10 @@
 
 #include "io/text/atomic_file.hpp"
 #include "tests/kit/files/temporary_folder.hpp"
+#include "tests/kit/sanitizers.hpp"
 
 namespace asv::test {
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool shadow_memory = true;
-#else
-constexpr bool shadow_memory = false;
-#endif
 
 void limit(__rlimit_resource_t resource, std::size_t value) {
     const rlimit limits{value, value};
@@ -46,7 +42,7 @@ void redirect(const std::filesystem::path& file, int flags, int descriptor) {
     // As a shell has it: the signal of a write beyond the limit would end the process.
     std::signal(SIGXFSZ, SIG_DFL);
     limit(RLIMIT_FSIZE, surroundings.largest_file);
-    if (!shadow_memory) limit(RLIMIT_AS, surroundings.memory);
+    if (!sanitized) limit(RLIMIT_AS, surroundings.memory);
     limit(RLIMIT_NPROC, surroundings.most_processes);
     for (const std::string& entry : surroundings.environment)
         ::putenv(const_cast<char*>(entry.c_str()));
@@ -68,6 +64,9 @@ Outcome run_program(const std::string& name, const std::vector<std::string>& arg
     words.push_back(nullptr);
     const bool own_output = surroundings.standard_output.empty();
     const auto out = own_output ? folder / "out" : surroundings.standard_output;
+    // They are there also when the program is killed before it has begun.
+    if (own_output) std::ofstream{out};
+    std::ofstream{folder / "err"};
     const pid_t child = ::fork();
     if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
     if (child == 0) become(words, surroundings, out, folder / "err");

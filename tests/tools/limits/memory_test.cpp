@@ -6,6 +6,7 @@
 #include "tests/kit/chains/problems.hpp"
 #include "tests/kit/files/run_program.hpp"
 #include "tests/kit/files/temporary_folder.hpp"
+#include "tests/kit/sanitizers.hpp"
 
 /// A program whose allocation fails says so and ends with its exit code: it is not aborted.
 
@@ -13,12 +14,6 @@ namespace asv::test {
 namespace {
 
 using Words = std::vector<std::string>;
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool own_malloc = true;
-#else
-constexpr bool own_malloc = false;
-#endif
 
 /// The outcome when the allocation of this number fails.
 Outcome with_failure(const std::string& program, const Words& arguments, long allocation) {
@@ -50,7 +45,7 @@ void fail_everywhere(const std::string& program, const Words& arguments) {
 class EveryProgram : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryProgram, SaysThatItHasNoMemory) {
-    if (own_malloc) GTEST_SKIP() << "a sanitizer has its own malloc";
+    if (sanitized) GTEST_SKIP() << "a sanitizer has its own malloc";
     const TemporaryFolder folder;
     const std::string problem = testcase_file("3ASV.txt"), out = folder / "o";
     const std::string program = GetParam();
