@@ -34,9 +34,9 @@ constexpr double hopeless_piece = 1.005;
 constexpr int pulls_of_whole = 4;
 /// Shortest and longest piece, as shares of the cost of the path; beyond an end it is cut off.
 constexpr double shortest_piece = 0.25, longest_piece = 1.2;
-/// Of the moves, those that search along a route; the others renew a piece. Untried routes come
+/// Of the work, what goes into searches along routes; the rest renews pieces. Untried routes come
 /// before pieces as long as so much of the work is left: pieces do not mend a wrong route.
-constexpr double route_share = 0.4, left_for_pieces = 0.5;
+constexpr double route_share = 0.55, left_for_pieces = 0.5;
 /// The path is shortened to the end when so much of the work is left, in units of what the first
 /// shortcuts and pulls took; again only where it has got better by a share since.
 constexpr double work_to_finish = 1.5, finished_again = 1e-3;
@@ -68,10 +68,12 @@ class RouteImprovement {
             if (left < late && best < finished_cost * (1 - finished_again)) {
                 shorten_to_the_end();
                 finished_cost = improvement_.best_cost();
-            } else if (exploring() || rng_.chance(route_share)) {
+            } else if (exploring() || routes_have_less_than_their_share()) {
                 try_route();
+                work_on_routes_ += left - improvement_.work_left();
             } else {
                 renew_piece();
+                work_on_pieces_ += left - improvement_.work_left();
             }
         }
         return improvement_.best_path();
@@ -88,6 +90,10 @@ class RouteImprovement {
     bool exploring() {
         return improvement_.work_left() > left_for_pieces * all_work_ &&
                routes_.has_untried(improvement_.best_cost());
+    }
+
+    bool routes_have_less_than_their_share() const {
+        return work_on_routes_ < route_share * (work_on_routes_ + work_on_pieces_);
     }
 
     void shorten_to_the_end() {
@@ -195,6 +201,7 @@ class RouteImprovement {
     Rng& rng_;
     Improvement improvement_;
     double all_work_ = 0;
+    double work_on_routes_ = 0, work_on_pieces_ = 0;
     MotionCost motion_cost_;
 };
 
