@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "io/benchmark/arena_database.hpp"
@@ -9,7 +11,7 @@
 #include "io/benchmark/plot/plot.hpp"
 #include "io/benchmark/runs_csv.hpp"
 #include "io/benchmark/runs_json.hpp"
-#include "io/benchmark/table.hpp"
+#include "io/benchmark/table/table.hpp"
 #include "io/text/atomic_file.hpp"
 #include "tools/common/interrupt.hpp"
 
@@ -25,6 +27,24 @@ io::PictureFormat format_of(const path& file) {
     if (ending == ".png") return io::PictureFormat::png;
     if (ending == ".pdf") return io::PictureFormat::pdf;
     throw UsageError("--plot " + file.string() + ": must end in .svg, .png or .pdf");
+}
+
+io::Columns columns_named(const std::string& keys) {
+    try {
+        return io::columns_named(keys);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(std::string("--columns: ") + error.what());
+    }
+}
+
+/// "solved,rate": as --columns takes them.
+std::string keys_of(std::span<const io::Column> columns) {
+    std::string keys;
+    for (const io::Column& column : columns) {
+        if (!keys.empty()) keys += ',';
+        keys += column.key;
+    }
+    return keys;
 }
 
 /// A file to write, and its content.
@@ -43,7 +63,11 @@ std::vector<Output> results_for(const BenchOutputs& outputs, const io::Benchmark
     add(outputs.csv, io::runs_csv);
     add(outputs.json, io::runs_json);
     add(outputs.database, io::arena_database);
-    add(outputs.table, io::markdown_table);
+    add(outputs.table, [&](const io::BenchmarkReport& all) {
+        const bool latex = path(outputs.table).extension() == ".tex";
+        return latex ? io::latex_table(all, outputs.columns)
+                     : io::markdown_table(all, outputs.columns);
+    });
     if (!outputs.ompl_log.empty()) {
         const bool several = report.plan.problems.size() * report.plan.directions.size() > 1;
         for (const io::Experiment& experiment : io::experiments(report))
@@ -67,9 +91,15 @@ void end_without_a_reader(const Output& output) {
 
 void add_output_options(CLI::App& app, BenchOutputs& outputs) {
     app.add_option("--table", outputs.table,
-                   "Markdown table; - for standard output, where it goes anyway unless another "
-                   "output does")
-        ->type_name("FILE.md");
+                   "Tables in Markdown, or in LaTeX (booktabs) where the file ends in .tex; - for "
+                   "standard output, where they go anyway unless another output does")
+        ->type_name("FILE.md|.tex");
+    app.add_option_function<std::string>(
+           "--columns",
+           [&outputs](const std::string& keys) { outputs.columns = columns_named(keys); },
+           "Columns of the tables, in this order. There are " + keys_of(io::all_columns()))
+        ->type_name("COLUMN,...")
+        ->default_str(keys_of(outputs.columns));
     app.add_option("--csv", outputs.csv, "Write one line for each run as CSV")
         ->type_name("FILE.csv");
     app.add_option("--json", outputs.json,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/benchmark/report.hpp"
+#include "io/benchmark/table/columns.hpp"
 #include "tools/common/command_line.hpp"
 #include "tools/common/file_roles.hpp"
 
@@ -15,6 +16,7 @@ struct BenchOutputs {
     std::string table, csv, json, ompl_log, database;
     std::vector<std::filesystem::path> plots;
     std::string theme = "light";  ///< of the plots
+    io::Columns columns = io::default_columns();
 };
 
 void add_output_options(CLI::App& app, BenchOutputs& outputs);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "core/benchmark/summary.hpp"
+#include "core/benchmark/statistics/statistics.hpp"
 #include "io/benchmark/plot/plot_axis.hpp"
 #include "io/benchmark/plot/plot_data.hpp"
 #include "io/benchmark/plot/plot_style.hpp"
@@ -71,9 +71,8 @@ class Plotter {
                   " ms, the time of 10\u2076 scalar state checks of 7 ASVs on this machine",
               {colours_.muted, text_size});
         if (both_directions(report_)) direction_legend();
-        if (plan.jobs > 1)
-            write({left, 100}, plural(plan.jobs, "run") + " side by side: their times are spoilt",
-                  {colours_.violation, text_size});
+        if (const std::string spoilt = spoilt_note(plan); !spoilt.empty())
+            write({left, 100}, spoilt, {colours_.violation, text_size});
     }
 
     void panel(const PlotPanel& panel, const Axis& times, double top) {
@@ -219,7 +218,7 @@ class Plotter {
         }
         const Colour colour = planner_colour(series.planner, theme_);
         const auto place = [&](double share) {
-            return costs.at(core::quantile(series.costs, share));
+            return costs.at(core::statistics::quantile(series.costs, share));
         };
         const Box quartiles{{place(0.25), y - 6}, {place(0.75), y + 6}};
         canvas_.fill_boxes(std::span(&quartiles, 1), faded(colour, 0.22));
