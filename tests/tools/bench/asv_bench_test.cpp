@@ -103,12 +103,13 @@ TEST(BenchProgram, WritesEveryFileAndNothingElse) {
     const Outcome outcome =
         bench({testcase_file("3ASV.txt"), testcase_file("3ASV-x4.txt")},
               {"--table", in("b.md"), "--csv", in("b.csv"), "--json", in("b.json"), "--database",
-               in("b.db"), "--ompl-log", in("b.log"), "--plot", in("b.svg"), "--plot", in("b.png")});
+               in("b.db"), "--ompl-log", in("b.log"), "--plot", in("b.svg"), "--plot", in("b.png"),
+               "--profile", in("p.svg"), "--anytime", in("a.pdf")});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(folder.entries(), 8);
+    EXPECT_EQ(folder.entries(), 10);
     for (const char* name : {"b.md", "b.csv", "b.json", "b.db", "b-3ASV.log", "b-3ASV-x4.log",
-                             "b.svg", "b.png"})
+                             "b.svg", "b.png", "p.svg", "a.pdf"})
         EXPECT_GT(std::filesystem::file_size(folder / name), 100U) << name;
 }
 
@@ -173,7 +174,8 @@ TEST(BenchProgram, WrongUsageNamesWhatThereIs) {
 }
 
 TEST(BenchProgram, AnOutputThatCannotBeWrittenIsToldBeforeAnythingRuns) {
-    for (const char* option : {"--table", "--csv", "--json", "--database", "--ompl-log", "--plot"}) {
+    for (const char* option : {"--table", "--csv", "--json", "--database", "--ompl-log", "--plot",
+                               "--profile", "--anytime"}) {
         const Outcome outcome =
             bench({testcase_file("3ASV.txt")}, {option, "/no/such/folder/b.svg"});
         EXPECT_EQ(outcome.exit_code, 5) << option;
