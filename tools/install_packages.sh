@@ -12,7 +12,7 @@ build_packages=(
     libcgal-dev                    # exact predicates
     libhwy-dev                     # vector code chosen at run time
     libeigen3-dev                  # linear algebra
-    libboost-dev                   # graph algorithms
+    libboost-dev                   # graph algorithms, distributions
     libcli11-dev                   # command lines
     nlohmann-json3-dev             # JSON files
     libcairo2-dev pkg-config       # pictures

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/benchmark/scalar_chain.hpp"
-#include "core/benchmark/summary.hpp"
+#include "core/benchmark/statistics/statistics.hpp"
 #include "core/model/requirements.hpp"
 #include "core/search/rng.hpp"
 
@@ -91,7 +91,8 @@ double seconds_per_million_checks() {
     std::vector<double> seconds;
     for (std::size_t round = 0; round < rounds; ++round)
         seconds.push_back(seconds_of_round(states, limits));
-    return spread_of(std::move(seconds)).median * 1e6 / static_cast<double>(checks_per_round);
+    return statistics::spread_of(std::move(seconds)).median * 1e6 /
+           static_cast<double>(checks_per_round);
 }
 
 }  // namespace asv::core

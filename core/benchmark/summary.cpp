@@ -8,33 +8,64 @@ namespace asv::core {
 
 namespace {
 
+using statistics::CensoredInterval;
+using statistics::CensoredSample;
+
+/// The values of the solved runs, ascending; a run may have none.
 template <class Value>
-Spread spread_over(std::span<const BenchmarkRun> runs, const Value& value) {
+std::vector<double> values_of(std::span<const BenchmarkRun> runs, const Value& value) {
     std::vector<double> values;
     for (const BenchmarkRun& run : runs)
         if (run.solved())
             if (const std::optional<double> found = value(run)) values.push_back(*found);
-    return spread_of(std::move(values));
+    std::sort(values.begin(), values.end());
+    return values;
 }
 
-Summary summary_of(std::span<const BenchmarkRun> runs) {
+double time_of(const BenchmarkRun& run) {
+    return run.spent.time_to_first;
+}
+
+double cost_of(const BenchmarkRun& run) {
+    return run.spent.cost;
+}
+
+void summarise_times(Summary& summary, std::span<const BenchmarkRun> runs, double time_limit) {
+    std::vector<double> times = values_of(runs, time_of);
+    summary.runs = runs.size();
+    summary.solved = times.size();
+    summary.success = statistics::success_interval(summary.solved, summary.runs);
+    summary.time_to_first = statistics::spread_of(times);
+    summary.time_to_solution = {std::move(times), summary.runs - summary.solved, time_limit};
+    summary.median_time = statistics::median_interval(summary.time_to_solution);
+}
+
+void summarise_costs(Summary& summary, std::span<const BenchmarkRun> runs) {
+    std::vector<double> costs = values_of(runs, cost_of);
+    if (costs.empty()) return;
+    summary.cost = statistics::spread_of(costs);
+    const CensoredInterval interval =
+        statistics::median_interval(CensoredSample{std::move(costs), 0, 0});
+    summary.median_cost = {interval.low.value, interval.high.value};
+}
+
+Summary summary_of(std::span<const BenchmarkRun> runs, double time_limit) {
     const auto over = [&](auto value) {
-        return spread_over(runs, [&](const BenchmarkRun& run) -> std::optional<double> {
-            return static_cast<double>(std::invoke(value, run));
-        });
+        return statistics::spread_of(
+            values_of(runs, [&](const BenchmarkRun& run) -> std::optional<double> {
+                return static_cast<double>(std::invoke(value, run));
+            }));
     };
     Summary summary;
     summary.problem = runs[0].place.problem;
     summary.planner = runs[0].place.planner;
     summary.direction = runs[0].place.direction;
-    summary.runs = runs.size();
-    summary.time_to_first = over([](const BenchmarkRun& run) { return run.spent.time_to_first; });
-    summary.solved = summary.time_to_first.count;
+    summarise_times(summary, runs, time_limit);
+    summarise_costs(summary, runs);
     summary.nodes = over(node_count);
     summary.state_checks = over([](const BenchmarkRun& run) { return run.spent.state_checks; });
     summary.cost_first = over([](const BenchmarkRun& run) { return run.spent.cost_first; });
-    summary.cost = over([](const BenchmarkRun& run) { return run.spent.cost; });
-    summary.ratio = spread_over(runs, cost_ratio);
+    summary.ratio = statistics::spread_of(values_of(runs, cost_ratio));
     for (const BenchmarkRun& run : runs)
         summary.lower_bound = std::max(summary.lower_bound, run.spent.cost_lower_bound);
     return summary;
@@ -46,29 +77,6 @@ bool of_one_row(const RunPlace& a, const RunPlace& b) {
 
 }  // namespace
 
-double quantile(std::span<const double> ascending, double share) {
-    const double place = share * static_cast<double>(ascending.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, ascending.size() - 1);
-    return std::lerp(ascending[below], ascending[above], place - static_cast<double>(below));
-}
-
-Spread spread_of(std::vector<double> values) {
-    Spread spread;
-    spread.count = values.size();
-    if (values.empty()) return spread;
-    std::sort(values.begin(), values.end());
-    spread.least = values.front();
-    spread.median = quantile(values, 0.5);
-    spread.greatest = values.back();
-    const auto count = static_cast<double>(values.size());
-    for (const double value : values) spread.mean += value / count;
-    double squares = 0;
-    for (const double value : values) squares += (value - spread.mean) * (value - spread.mean);
-    if (values.size() > 1) spread.deviation = std::sqrt(squares / (count - 1));
-    return spread;
-}
-
 std::vector<Summary> summarise(const BenchmarkPlan& plan, std::span<const BenchmarkRun> runs) {
     std::vector<Summary> summaries;
     for (std::size_t problem = 0; problem < plan.problems.size(); ++problem)
@@ -77,7 +85,7 @@ std::vector<Summary> summarise(const BenchmarkPlan& plan, std::span<const Benchm
                 std::vector<BenchmarkRun> row;
                 for (const BenchmarkRun& run : runs)
                     if (of_one_row(run.place, {problem, planner, direction, 0})) row.push_back(run);
-                if (!row.empty()) summaries.push_back(summary_of(row));
+                if (!row.empty()) summaries.push_back(summary_of(row, plan.time_limit));
             }
     return summaries;
 }

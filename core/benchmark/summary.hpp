@@ -6,38 +6,30 @@
 #include <vector>
 
 #include "core/benchmark/run.hpp"
+#include "core/benchmark/statistics/statistics.hpp"
 
 /// What many runs have in common: the figures of a table.
 
 namespace asv::core {
 
-/// The quantile of values in ascending order, between two of them linearly (type 7 of Hyndman and
-/// Fan, 1996): 0 is the least, 0.5 the median, 1 the greatest. Precondition: not empty, 0 <= share
-/// <= 1.
-double quantile(std::span<const double> ascending, double share);
-
-/// Of some values; all 0 without any.
-struct Spread {
-    std::size_t count = 0;
-    double least = 0, median = 0, greatest = 0;
-    double mean = 0;
-    double deviation = 0;  ///< of the sample (n - 1); 0 for a single value
-};
-
-Spread spread_of(std::vector<double> values);
-
-/// One planner on one problem in one direction, all seeds. Everything but the numbers of runs is
-/// of the solved ones alone.
+/// One planner on one problem in one direction, all seeds. What a run costs and spends is told of
+/// the solved ones alone, the time to a solution of all of them.
 struct Summary {
     std::size_t problem = 0, planner = 0;  ///< indices into the plan
     Direction direction = Direction::forward;
     std::size_t runs = 0, solved = 0;
-    Spread time_to_first;  ///< seconds
-    Spread nodes;          ///< of all trees
-    Spread state_checks;
-    Spread cost_first, cost;
-    Spread ratio;            ///< of the cost to the lower bound, where that is known
-    double lower_bound = 0;  ///< of the cost; 0 where it is not known
+    statistics::Interval success;  ///< confidence interval of the rate of solved runs, 0 to 1
+    /// Seconds to the first path; a run that is not solved, for whatever reason, is censored at
+    /// the time limit.
+    statistics::CensoredSample time_to_solution;
+    statistics::CensoredInterval median_time;  ///< confidence interval of its median, seconds
+    statistics::Spread time_to_first;          ///< seconds, of the solved runs alone
+    statistics::Spread nodes;                  ///< of all trees
+    statistics::Spread state_checks;
+    statistics::Spread cost_first, cost;
+    statistics::Interval median_cost;  ///< confidence interval of the median; 0 without any
+    statistics::Spread ratio;          ///< of the cost to the lower bound, where that is known
+    double lower_bound = 0;            ///< of the cost; 0 where it is not known
 };
 
 /// One for each problem, direction and planner of the plan that has runs, in that order.

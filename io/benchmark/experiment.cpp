@@ -160,6 +160,7 @@ std::string setup_text(const BenchmarkReport& report, const Experiment& experime
            "\nSeconds of improvement after the first path: " + short_number(plan.optimize) +
            "\nThreads of a run: " + std::to_string(plan.threads) +
            "\nRuns side by side: " + std::to_string(plan.jobs) +
+           (plan.jobs > 1 ? " (their times are spoilt)" : "") +
            "\nUnit of time (10^6 scalar state checks of 7 ASVs): " +
            short_number(report.session.unit()) + " s\n";
 }

@@ -16,7 +16,7 @@ constexpr std::string_view columns =
     "problem,planner,settings,direction,seed,threads,status,reason,time_to_first_s,"
     "time_to_first_u,time_total_s,cost_first,cost_of_search,cost,cost_lower_bound,cost_ratio,"
     "primitive_steps,primitive_steps_lower_bound,tree_nodes,iterations,state_checks,edge_checks,"
-    "peak_memory_bytes\n";
+    "peak_memory_bytes,jobs\n";
 
 /// A text that a spreadsheet would take for a formula gets an apostrophe in front; bytes that are
 /// no text are escaped.
@@ -95,6 +95,7 @@ std::string line_of(const BenchmarkReport& report, const core::BenchmarkRun& run
           static_cast<std::size_t>(spent.edge_checks)})
         line.add(count);
     line.add(run.peak_memory_bytes ? std::to_string(*run.peak_memory_bytes) : std::string());
+    line.add(plan.jobs);
     return line.end();
 }
 

@@ -4,14 +4,18 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/benchmark/comparison.hpp"
 #include "core/benchmark/summary.hpp"
+#include "io/benchmark/wording.hpp"
 
 namespace asv::io {
 
 namespace {
 
 using core::BenchmarkRun;
-using core::Spread;
+using core::statistics::CensoredValue;
+using core::statistics::Interval;
+using core::statistics::Spread;
 using nlohmann::ordered_json;
 
 template <class Value>
@@ -35,6 +39,7 @@ ordered_json session_json(const BenchmarkReport& report) {
             {"optimize_s", plan.optimize},
             {"threads", plan.threads},
             {"jobs", plan.jobs},
+            {"note", spoilt_note(plan)},
             {"complete", report.complete()}};
 }
 
@@ -69,6 +74,28 @@ ordered_json spread_json(const Spread& spread) {
             {"mean", spread.mean},     {"deviation", spread.deviation}};
 }
 
+ordered_json interval_json(const Interval& interval) {
+    return {interval.low, interval.high};
+}
+
+/// Where "exceeds", the value is known to be greater only.
+ordered_json censored_json(const CensoredValue& value) {
+    return {{"value", value.value}, {"exceeds", value.censored}};
+}
+
+/// Of all runs, those that are not solved censored at the time limit.
+ordered_json time_to_solution_json(const core::Summary& row) {
+    const auto quantile = [&](double share) {
+        return censored_json(core::statistics::quantile(row.time_to_solution, share));
+    };
+    return {{"median", quantile(0.5)},
+            {"median_interval",
+             {censored_json(row.median_time.low), censored_json(row.median_time.high)}},
+            {"quartiles", {quantile(0.25), quantile(0.75)}},
+            {"quantile_90", quantile(0.9)},
+            {"par2", core::statistics::penalised_mean(row.time_to_solution)}};
+}
+
 ordered_json summary_json(const BenchmarkReport& report) {
     ordered_json list = ordered_json::array();
     for (const core::Summary& row : core::summarise(report.plan, report.runs))
@@ -77,12 +104,37 @@ ordered_json summary_json(const BenchmarkReport& report) {
                         {"direction", core::name(row.direction)},
                         {"runs", row.runs},
                         {"solved", row.solved},
+                        {"success_interval", interval_json(row.success)},
+                        {"time_to_solution_s", time_to_solution_json(row)},
                         {"time_to_first_s", spread_json(row.time_to_first)},
                         {"tree_nodes", spread_json(row.nodes)},
                         {"state_checks", spread_json(row.state_checks)},
                         {"cost_first", spread_json(row.cost_first)},
                         {"cost", spread_json(row.cost)},
+                        {"cost_median_interval",
+                         value_or_null(row.cost.count > 0, interval_json(row.median_cost))},
                         {"cost_ratio", spread_json(row.ratio)}});
+    return list;
+}
+
+ordered_json comparisons_json(const BenchmarkReport& report) {
+    ordered_json list = ordered_json::array();
+    for (const core::Comparison& row : core::compare_planners(report.plan, report.runs))
+        list.push_back({{"of", row.measure == core::Measure::time ? "time" : "cost"},
+                        {"first", report.plan.planners[row.first].label},
+                        {"second", report.plan.planners[row.second].label},
+                        {"pairs", row.test.pairs},
+                        {"differing_pairs", row.test.differing},
+                        {"ratio", row.ratio},
+                        {"ratio_interval", interval_json(row.ratio_interval)},
+                        {"a12", row.chance_of_less},
+                        {"first_better", row.first_better},
+                        {"second_better", row.second_better},
+                        {"positive_ranks", row.test.positive_ranks},
+                        {"negative_ranks", row.test.negative_ranks},
+                        {"p", row.test.p},
+                        {"p_exact", row.test.exact},
+                        {"p_holm", row.corrected_p}});
     return list;
 }
 
@@ -124,11 +176,10 @@ ordered_json run_json(const core::BenchmarkPlan& plan, const BenchmarkRun& run) 
 std::string runs_json(const BenchmarkReport& report) {
     ordered_json runs = ordered_json::array();
     for (const BenchmarkRun& run : report.runs) runs.push_back(run_json(report.plan, run));
-    const ordered_json json = {{"session", session_json(report)},
-                               {"problems", problems_json(report.plan)},
-                               {"planners", planners_json(report.plan)},
-                               {"summary", summary_json(report)},
-                               {"runs", std::move(runs)}};
+    const ordered_json json = {
+        {"session", session_json(report)},         {"problems", problems_json(report.plan)},
+        {"planners", planners_json(report.plan)},  {"summary", summary_json(report)},
+        {"comparisons", comparisons_json(report)}, {"runs", std::move(runs)}};
     // A file name need not be UTF-8.
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

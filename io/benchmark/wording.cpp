@@ -49,4 +49,9 @@ std::string plan_facts(const core::BenchmarkPlan& plan) {
            seconds_text(plan.optimize) + ", " + plural(plan.threads, "thread");
 }
 
+std::string spoilt_note(const core::BenchmarkPlan& plan) {
+    if (plan.jobs == 1) return {};
+    return plural(plan.jobs, "run") + " side by side: their times are spoilt.";
+}
+
 }  // namespace asv::io

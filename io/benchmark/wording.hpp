@@ -5,7 +5,7 @@
 
 #include "core/benchmark/plan.hpp"
 
-/// Phrases that the table and the plot of a benchmark share.
+/// Phrases that several outputs of a benchmark share.
 
 namespace asv::io {
 
@@ -17,5 +17,8 @@ std::string problem_facts(const core::Problem& problem, double lower_bound);
 
 /// "Seeds 1 to 10, time limit 10 s, optimize 0 s, 1 thread".
 std::string plan_facts(const core::BenchmarkPlan& plan);
+
+/// "3 runs side by side: their times are spoilt."; empty where each run had the machine to itself.
+std::string spoilt_note(const core::BenchmarkPlan& plan);
 
 }  // namespace asv::io

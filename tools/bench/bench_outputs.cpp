@@ -1,15 +1,17 @@
 #include "tools/bench/bench_outputs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "io/benchmark/arena_database.hpp"
 #include "io/benchmark/ompl_log.hpp"
-#include "io/benchmark/plot/plot.hpp"
 #include "io/benchmark/runs_csv.hpp"
 #include "io/benchmark/runs_json.hpp"
-#include "io/benchmark/table.hpp"
+#include "io/benchmark/table/table.hpp"
 #include "io/text/atomic_file.hpp"
 #include "tools/common/interrupt.hpp"
 
@@ -19,12 +21,30 @@ namespace {
 
 using std::filesystem::path;
 
-io::PictureFormat format_of(const path& file) {
+io::PictureFormat format_of(const path& file, const std::string& option) {
     const std::string ending = file.extension().string();
     if (ending == ".svg" || file == io::standard_stream) return io::PictureFormat::svg;
     if (ending == ".png") return io::PictureFormat::png;
     if (ending == ".pdf") return io::PictureFormat::pdf;
-    throw UsageError("--plot " + file.string() + ": must end in .svg, .png or .pdf");
+    throw UsageError(option + " " + file.string() + ": must end in .svg, .png or .pdf");
+}
+
+io::Columns columns_named(const std::string& keys) {
+    try {
+        return io::columns_named(keys);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(std::string("--columns: ") + error.what());
+    }
+}
+
+/// "solved,rate": as --columns takes them.
+std::string keys_of(std::span<const io::Column> columns) {
+    std::string keys;
+    for (const io::Column& column : columns) {
+        if (!keys.empty()) keys += ',';
+        keys += column.key;
+    }
+    return keys;
 }
 
 /// A file to write, and its content.
@@ -43,7 +63,11 @@ std::vector<Output> results_for(const BenchOutputs& outputs, const io::Benchmark
     add(outputs.csv, io::runs_csv);
     add(outputs.json, io::runs_json);
     add(outputs.database, io::arena_database);
-    add(outputs.table, io::markdown_table);
+    add(outputs.table, [&](const io::BenchmarkReport& all) {
+        const bool latex = path(outputs.table).extension() == ".tex";
+        return latex ? io::latex_table(all, outputs.columns)
+                     : io::markdown_table(all, outputs.columns);
+    });
     if (!outputs.ompl_log.empty()) {
         const bool several = report.plan.problems.size() * report.plan.directions.size() > 1;
         for (const io::Experiment& experiment : io::experiments(report))
@@ -67,9 +91,15 @@ void end_without_a_reader(const Output& output) {
 
 void add_output_options(CLI::App& app, BenchOutputs& outputs) {
     app.add_option("--table", outputs.table,
-                   "Markdown table; - for standard output, where it goes anyway unless another "
-                   "output does")
-        ->type_name("FILE.md");
+                   "Tables in Markdown, or in LaTeX (booktabs) where the file ends in .tex; - for "
+                   "standard output, where they go anyway unless another output does")
+        ->type_name("FILE.md|.tex");
+    app.add_option_function<std::string>(
+           "--columns",
+           [&outputs](const std::string& keys) { outputs.columns = columns_named(keys); },
+           "Columns of the tables, in this order. There are " + keys_of(io::all_columns()))
+        ->type_name("COLUMN,...")
+        ->default_str(keys_of(outputs.columns));
     app.add_option("--csv", outputs.csv, "Write one line for each run as CSV")
         ->type_name("FILE.csv");
     app.add_option("--json", outputs.json,
@@ -81,20 +111,29 @@ void add_output_options(CLI::App& app, BenchOutputs& outputs) {
         ->type_name("FILE.log");
     app.add_option("--database", outputs.database, "Write an SQLite database for Planner Arena")
         ->type_name("FILE.db|.sqlite");
-    app.add_option("--plot", outputs.plots,
-                   "Draw shares solved over time and costs: .svg, .png or .pdf, or - for an SVG on "
-                   "standard output; may be repeated")
-        ->type_name("FILE.svg|.png|.pdf")
-        ->allow_extra_args(false);
-    app.add_option("--theme", outputs.theme, "Colours of the plot: light or dark")
+    const std::array<const char*, 3> shown{"shares solved over time and costs",
+                                           "performance profiles: times over those of the best "
+                                           "planner",
+                                           "costs over time, with quartiles"};
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        app.add_option(outputs.plots[i].option, outputs.plots[i].files,
+                       std::string("Draw ") + shown[i] +
+                           ": .svg, .png or .pdf, or - for an SVG on standard output; may be "
+                           "repeated")
+            ->type_name("FILE.svg|.png|.pdf")
+            ->allow_extra_args(false);
+    app.add_option("--theme", outputs.theme, "Colours of the plots: light or dark")
         ->check(CLI::IsMember({"light", "dark"}))
         ->capture_default_str();
 }
 
 void complete(BenchOutputs& outputs) {
-    for (const path& file : outputs.plots) static_cast<void>(format_of(file));
     std::vector<path> others{outputs.csv, outputs.json, outputs.ompl_log, outputs.database};
-    others.insert(others.end(), outputs.plots.begin(), outputs.plots.end());
+    for (const BenchOutputs::Plots& plots : outputs.plots)
+        for (const path& file : plots.files) {
+            static_cast<void>(format_of(file, plots.option));
+            others.push_back(file);
+        }
     const bool taken = std::find(others.begin(), others.end(), io::standard_stream) != others.end();
     if (outputs.table.empty() && !taken) outputs.table = io::standard_stream;
 }
@@ -104,13 +143,15 @@ void add_roles(const BenchOutputs& outputs, FileRoles& roles) {
     roles.add_output("--csv", outputs.csv);
     roles.add_output("--json", outputs.json);
     roles.add_output("--database", outputs.database);
-    for (const path& file : outputs.plots) roles.add_output("--plot", file);
+    for (const BenchOutputs::Plots& plots : outputs.plots)
+        for (const path& file : plots.files) roles.add_output(plots.option, file);
 }
 
 void require_places(const BenchOutputs& outputs) {
     std::vector<std::string> files{outputs.csv, outputs.json, outputs.ompl_log, outputs.database};
     if (outputs.table != io::standard_stream) files.push_back(outputs.table);
-    for (const path& file : outputs.plots) files.push_back(file.string());
+    for (const BenchOutputs::Plots& plots : outputs.plots)
+        for (const path& file : plots.files) files.push_back(file.string());
     for (const std::string& file : files)
         if (!file.empty()) io::require_writable(file);
 }
@@ -124,8 +165,9 @@ void write_results(const BenchOutputs& outputs, const io::BenchmarkReport& repor
     };
     for (const Output& output : results_for(outputs, report)) write(output);
     const io::Theme theme = outputs.theme == "dark" ? io::Theme::dark : io::Theme::light;
-    for (const path& file : outputs.plots)
-        write({file, io::draw_benchmark(report, format_of(file), theme)});
+    for (const BenchOutputs::Plots& plots : outputs.plots)
+        for (const path& file : plots.files)
+            write({file, plots.draw(report, format_of(file, plots.option), theme)});
 }
 
 }  // namespace asv::tools

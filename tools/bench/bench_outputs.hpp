@@ -1,10 +1,14 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "io/benchmark/plot/curve_plots.hpp"
+#include "io/benchmark/plot/plot.hpp"
 #include "io/benchmark/report.hpp"
+#include "io/benchmark/table/columns.hpp"
 #include "tools/common/command_line.hpp"
 #include "tools/common/file_roles.hpp"
 
@@ -13,8 +17,17 @@ namespace asv::tools {
 /// The files that a benchmark writes; an empty name stands for none.
 struct BenchOutputs {
     std::string table, csv, json, ompl_log, database;
-    std::vector<std::filesystem::path> plots;
+    /// A kind of picture and its files.
+    struct Plots {
+        const char* option;
+        std::string (*draw)(const io::BenchmarkReport&, io::PictureFormat, io::Theme);
+        std::vector<std::filesystem::path> files;
+    };
+    std::array<Plots, 3> plots{{{"--plot", io::draw_benchmark, {}},
+                                {"--profile", io::draw_profiles, {}},
+                                {"--anytime", io::draw_costs_over_time, {}}}};
     std::string theme = "light";  ///< of the plots
+    io::Columns columns = io::default_columns();
 };
 
 void add_output_options(CLI::App& app, BenchOutputs& outputs);

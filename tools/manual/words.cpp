@@ -64,7 +64,7 @@ Words bench() {
              "state checks in the same session."},
             {problem_file,
              {"Outputs",
-              "A table in Markdown, CSV, JSON, plots, logs of OMPL's benchmarks, and an "
+              "Tables in Markdown or LaTeX, CSV, JSON, plots, logs of OMPL's benchmarks, and an "
               "SQLite database for Planner Arena."}},
             {{"asv-bench testcases/3ASV.txt --planner auto --planner rrt --seeds 20",
               "Compares two planners and prints a table."},

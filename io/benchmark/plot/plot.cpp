@@ -4,9 +4,10 @@
 #include <cmath>
 #include <span>
 
-#include "core/benchmark/summary.hpp"
+#include "core/benchmark/statistics/statistics.hpp"
 #include "io/benchmark/plot/plot_axis.hpp"
 #include "io/benchmark/plot/plot_data.hpp"
+#include "io/benchmark/plot/plot_page.hpp"
 #include "io/benchmark/plot/plot_style.hpp"
 #include "io/benchmark/wording.hpp"
 
@@ -20,14 +21,9 @@ using geometry::Point;
 using geometry::Segment;
 
 // In points.
-constexpr double page_width = 960;
-constexpr double left = 64, times_right = 500;
-constexpr double names_left = 526, costs_left = 690, right = 924;
-constexpr double header_height = 104, panel_top = 54, panel_bottom = 58;
+constexpr double times_right = 500;
+constexpr double names_left = 526, costs_left = 690;
 constexpr double min_height = 150, row_height = 26, second_row = 16;
-constexpr double text_size = 13.5, tick_size = 11.5;
-/// An image of cairo has no more than 32767 pixels: two for each point.
-constexpr double greatest_page = 16000;
 
 /// One row for each planner; two where both directions ran.
 double height_of(const PlotPanel& panel) {
@@ -42,17 +38,6 @@ bool both_directions(const BenchmarkReport& report) {
     return report.plan.directions.size() > 1;
 }
 
-std::string shortened(Canvas& canvas, std::string text, const TextStyle& style, double width) {
-    if (canvas.text_width(text, style) <= width) return text;
-    while (!text.empty() && canvas.text_width(text + "\u2026", style) > width) {
-        // A letter of UTF-8 may have several bytes.
-        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U)
-            text.pop_back();
-        if (!text.empty()) text.pop_back();
-    }
-    return text + "\u2026";
-}
-
 /// Draws the panels one below the other.
 class Plotter {
   public:
@@ -61,32 +46,21 @@ class Plotter {
 
     void header() {
         const core::BenchmarkPlan& plan = report_.plan;
-        const std::string title = plural(plan.planners.size(), "planner") + " on " +
-                                  plural(plan.problems.size(), "problem");
-        write({left, 38}, title, {colours_.ink, 20, true});
-        write({left, 62}, plan_facts(plan) + (report_.complete() ? "" : "; interrupted"),
-              {colours_.muted, text_size});
-        write({left, 82},
-              "1 u = " + short_number(1000 * report_.session.unit()) +
-                  " ms, the time of 10\u2076 scalar state checks of 7 ASVs on this machine",
-              {colours_.muted, text_size});
+        draw_header(canvas_, colours_, report_,
+                    plural(plan.planners.size(), "planner") + " on " +
+                        plural(plan.problems.size(), "problem"));
         if (both_directions(report_)) direction_legend();
-        if (plan.jobs > 1)
-            write({left, 100}, plural(plan.jobs, "run") + " side by side: their times are spoilt",
-                  {colours_.violation, text_size});
     }
 
     void panel(const PlotPanel& panel, const Axis& times, double top) {
         const double height = height_of(panel);
-        write({left, top + 20}, panel.title, {colours_.ink, 15, true});
-        const double title_width = canvas_.text_width(panel.title, {colours_.ink, 15, true});
-        write({left + title_width + 12, top + 20}, panel.facts, {colours_.muted, text_size});
+        draw_panel_title(canvas_, colours_, panel.title, panel.facts, top);
         const double high = top + panel_top, low = high + height;
-        caption({left, high - 10}, "share of runs solved");
+        caption({page_left, high - 10}, "share of runs solved");
         caption({costs_left, high - 10},
                 panel.relative ? "cost of the path / least possible" : "cost of the path");
-        draw_times(panel, times, {{left, high}, {times_right, low}});
-        draw_costs(panel, {{costs_left, high}, {right, low}});
+        draw_times(panel, times, {{page_left, high}, {times_right, low}});
+        draw_costs(panel, {{costs_left, high}, {page_right, low}});
     }
 
   private:
@@ -102,7 +76,7 @@ class Plotter {
         const double y = 58;
         for (const Direction direction : report_.plan.directions) {
             const bool reversed = direction == Direction::reversed;
-            const double x = reversed ? right - 96 : right - 212;
+            const double x = reversed ? page_right - 96 : page_right - 212;
             const Segment line{{x, y}, {x + 30, y}};
             canvas_.stroke_segments(std::span(&line, 1), stroke(colours_.ink, direction));
             draw_mark(canvas_, 0, {x + 15, y}, 3.6, colours_.ink, reversed, colours_.page);
@@ -117,26 +91,11 @@ class Plotter {
 
     void frame(const Box& box) { canvas_.fill_boxes(std::span(&box, 1), colours_.field); }
 
-    void grid_line(const Point& a, const Point& b) {
-        const Segment line{a, b};
-        canvas_.stroke_segments(std::span(&line, 1), {colours_.grid, 1});
-    }
-
     void draw_times(const PlotPanel& panel, const Axis& times, const Box& box) {
         frame(box);
         const Axis shares{0, 1, box.high.y, box.low.y, false};
-        for (const int percent : {0, 25, 50, 75, 100}) {
-            const double y = shares.at(percent / 100.0);
-            grid_line({box.low.x, y}, {box.high.x, y});
-            if (percent % 50 == 0)
-                write({box.low.x - 8, y + 4}, std::to_string(percent) + " %",
-                      {colours_.muted, tick_size, false, Align::right});
-        }
-        for (const Tick& tick : time_ticks(times)) {
-            grid_line({times.at(tick.value), box.low.y}, {times.at(tick.value), box.high.y});
-            write({times.at(tick.value), box.high.y + 17}, tick.label,
-                  {colours_.muted, tick_size, false, Align::centre});
-        }
+        draw_level_ticks(canvas_, colours_, box, shares, share_ticks());
+        draw_upright_ticks(canvas_, colours_, box, times, time_ticks(times));
         write({(box.low.x + box.high.x) / 2, box.high.y + 35}, "time to the first path",
               {colours_.muted, tick_size, false, Align::centre});
         // The first planner comes last, on top of the others.
@@ -186,11 +145,7 @@ class Plotter {
             }
         if (least > greatest) least = 0, greatest = 1;
         const Axis costs = cost_axis(least, greatest, box.low.x, box.high.x);
-        for (const Tick& tick : cost_ticks(costs)) {
-            grid_line({costs.at(tick.value), box.low.y}, {costs.at(tick.value), box.high.y});
-            write({costs.at(tick.value), box.high.y + 17}, tick.label,
-                  {colours_.muted, tick_size, false, Align::centre});
-        }
+        draw_upright_ticks(canvas_, colours_, box, costs, cost_ticks(costs));
         double y = box.low.y + 22;
         for (std::size_t i = 0; i < panel.series.size(); ++i) {
             const PlotSeries& series = panel.series[i];
@@ -219,7 +174,7 @@ class Plotter {
         }
         const Colour colour = planner_colour(series.planner, theme_);
         const auto place = [&](double share) {
-            return costs.at(core::quantile(series.costs, share));
+            return costs.at(core::statistics::quantile(series.costs, share));
         };
         const Box quartiles{{place(0.25), y - 6}, {place(0.75), y + 6}};
         canvas_.fill_boxes(std::span(&quartiles, 1), faded(colour, 0.22));
@@ -250,7 +205,7 @@ Axis common_times(const BenchmarkReport& report, std::span<const PlotPanel> pane
             greatest = std::max(greatest, series.times.back());
         }
     greatest = std::clamp(greatest, 1e-6, 1e9);
-    return time_axis(std::clamp(least, 1e-6, greatest), greatest, left, times_right);
+    return time_axis(std::clamp(least, 1e-6, greatest), greatest, page_left, times_right);
 }
 
 double page_height(std::span<const PlotPanel> panels) {

@@ -43,6 +43,20 @@ std::string time_label(double seconds) {
     return tidy(1e6 * seconds) + " \u00b5s";
 }
 
+/// Of a logarithmic axis.
+std::vector<Tick> round_ticks(const Axis& axis, std::string (*label)(double)) {
+    const bool few = axis.high < 99 * axis.low;
+    std::vector<Tick> ticks;
+    const double first = std::floor(std::log10(axis.low) + 1e-9);
+    for (double exponent = first; std::pow(10, exponent) < axis.high * 1.001; ++exponent)
+        for (const double figure : round_figures) {
+            const double value = figure * std::pow(10, exponent);
+            const bool inside = value > axis.low * 0.999 && value < axis.high * 1.001;
+            if (inside && (few || figure == 1)) ticks.push_back({value, label(value)});
+        }
+    return ticks;
+}
+
 }  // namespace
 
 double Axis::at(double value) const {
@@ -59,16 +73,15 @@ Axis time_axis(double least, double greatest, double from, double to) {
 }
 
 std::vector<Tick> time_ticks(const Axis& axis) {
-    const bool few = axis.high < 99 * axis.low;
-    std::vector<Tick> ticks;
-    const double first = std::floor(std::log10(axis.low) + 1e-9);
-    for (double exponent = first; std::pow(10, exponent) < axis.high * 1.001; ++exponent)
-        for (const double figure : round_figures) {
-            const double value = figure * std::pow(10, exponent);
-            const bool inside = value > axis.low * 0.999 && value < axis.high * 1.001;
-            if (inside && (few || figure == 1)) ticks.push_back({value, time_label(value)});
-        }
-    return ticks;
+    return round_ticks(axis, time_label);
+}
+
+std::vector<Tick> factor_ticks(const Axis& axis) {
+    return round_ticks(axis, tidy);
+}
+
+std::vector<Tick> share_ticks() {
+    return {{0, "0 %"}, {0.25, ""}, {0.5, "50 %"}, {0.75, ""}, {1, "100 %"}};
 }
 
 Axis cost_axis(double least, double greatest, double from, double to) {

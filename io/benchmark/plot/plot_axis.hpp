@@ -26,6 +26,12 @@ Axis time_axis(double least, double greatest, double from, double to);
 /// Powers of ten, with 2 and 5 times them where there would be few: "1 ms", "10 s".
 std::vector<Tick> time_ticks(const Axis& axis);
 
+/// The same places with plain numbers.
+std::vector<Tick> factor_ticks(const Axis& axis);
+
+/// Every quarter from 0 to 1, every half with a label in per cent.
+std::vector<Tick> share_ticks();
+
 /// An axis whose ends enclose the given ones with some room. Precondition: least <= greatest.
 Axis cost_axis(double least, double greatest, double from, double to);
 

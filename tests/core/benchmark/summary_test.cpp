@@ -1,39 +1,9 @@
 #include "core/benchmark/summary.hpp"
 
-#include <array>
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 namespace asv::core {
 namespace {
-
-TEST(Quantile, LiesBetweenNeighbours) {
-    const std::array<double, 4> values{1, 2, 4, 8};
-    EXPECT_DOUBLE_EQ(quantile(values, 0), 1);
-    EXPECT_DOUBLE_EQ(quantile(values, 0.25), 1.75);
-    EXPECT_DOUBLE_EQ(quantile(values, 0.5), 3);
-    EXPECT_DOUBLE_EQ(quantile(values, 1), 8);
-    EXPECT_DOUBLE_EQ(quantile(std::array<double, 1>{5}, 0.5), 5);
-}
-
-TEST(SpreadOf, HandValues) {
-    const Spread spread = spread_of({9, 2, 4, 4, 5, 4, 5, 7});
-    EXPECT_EQ(spread.count, 8U);
-    EXPECT_DOUBLE_EQ(spread.least, 2);
-    EXPECT_DOUBLE_EQ(spread.median, 4.5);
-    EXPECT_DOUBLE_EQ(spread.greatest, 9);
-    EXPECT_DOUBLE_EQ(spread.mean, 5);
-    // Squares of the differences: 9 + 1 + 1 + 1 + 0 + 0 + 4 + 16 = 32.
-    EXPECT_DOUBLE_EQ(spread.deviation, std::sqrt(32.0 / 7));
-}
-
-TEST(SpreadOf, OfOneAndOfNone) {
-    EXPECT_DOUBLE_EQ(spread_of({3}).median, 3);
-    EXPECT_DOUBLE_EQ(spread_of({3}).deviation, 0);
-    EXPECT_EQ(spread_of({}).count, 0U);
-    EXPECT_DOUBLE_EQ(spread_of({}).median, 0);
-}
 
 BenchmarkRun run_of(std::uint64_t seed, SolveStatus status, double time, double cost,
                     double bound) {
@@ -48,14 +18,19 @@ BenchmarkRun run_of(std::uint64_t seed, SolveStatus status, double time, double 
     return run;
 }
 
-TEST(Summarise, TakesFiguresOfSolvedRunsAlone) {
+BenchmarkPlan one_problem_two_planners() {
     BenchmarkPlan plan;
     plan.problems.resize(1);
     plan.planners.resize(2);
+    plan.time_limit = 10;
+    return plan;
+}
+
+TEST(Summarise, CostsAndWorkAreOfSolvedRunsAlone) {
     const std::vector<BenchmarkRun> runs{run_of(1, SolveStatus::solved, 1, 6, 4),
                                          run_of(2, SolveStatus::timeout, 100, 0, 0),
                                          run_of(3, SolveStatus::solved, 3, 8, 4)};
-    const std::vector<Summary> summaries = summarise(plan, runs);
+    const std::vector<Summary> summaries = summarise(one_problem_two_planners(), runs);
     ASSERT_EQ(summaries.size(), 1U) << "the second planner has not run";
     const Summary& summary = summaries[0];
     EXPECT_EQ(summary.runs, 3U);
@@ -65,6 +40,21 @@ TEST(Summarise, TakesFiguresOfSolvedRunsAlone) {
     EXPECT_DOUBLE_EQ(summary.nodes.median, 5);
     EXPECT_DOUBLE_EQ(summary.ratio.median, 1.75);
     EXPECT_DOUBLE_EQ(summary.lower_bound, 4);
+    EXPECT_DOUBLE_EQ(summary.median_cost.low, 6);
+    EXPECT_DOUBLE_EQ(summary.median_cost.high, 8);
+}
+
+TEST(Summarise, TheTimeToASolutionIsOfAllRuns) {
+    const std::vector<BenchmarkRun> runs{run_of(1, SolveStatus::timeout, 0, 0, 0),
+                                         run_of(2, SolveStatus::solved, 1, 6, 4),
+                                         run_of(3, SolveStatus::infeasible, 0, 0, 0)};
+    const Summary summary = summarise(one_problem_two_planners(), runs).at(0);
+    EXPECT_EQ(statistics::quantile(summary.time_to_solution, 0.5),
+              (statistics::CensoredValue{10, true}));
+    EXPECT_DOUBLE_EQ(statistics::penalised_mean(summary.time_to_solution), (1 + 20 + 20) / 3.0);
+    EXPECT_EQ(summary.median_time.high, (statistics::CensoredValue{10, true}));
+    EXPECT_LT(summary.success.low, 1.0 / 3);
+    EXPECT_GT(summary.success.high, 1.0 / 3);
 }
 
 TEST(Summarise, WithoutABoundThereIsNoRatio) {

@@ -100,23 +100,37 @@ TEST(BenchProgram, TakesScenarios) {
 TEST(BenchProgram, WritesEveryFileAndNothingElse) {
     const TemporaryFolder folder;
     const auto in = [&](const char* name) { return (folder / name).string(); };
-    const Outcome outcome = bench(
-        {testcase_file("3ASV.txt"), testcase_file("3ASV-x4.txt")},
-        {"--table", in("b.md"), "--csv", in("b.csv"), "--json", in("b.json"), "--database",
-         in("b.db"), "--ompl-log", in("b.log"), "--plot", in("b.svg"), "--plot", in("b.png")});
+    const Outcome outcome =
+        bench({testcase_file("3ASV.txt"), testcase_file("3ASV-x4.txt")},
+              {"--table", in("b.md"), "--csv", in("b.csv"), "--json", in("b.json"), "--database",
+               in("b.db"), "--ompl-log", in("b.log"), "--plot", in("b.svg"), "--plot", in("b.png"),
+               "--profile", in("p.svg"), "--anytime", in("a.pdf")});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(folder.entries(), 8);
-    for (const char* name :
-         {"b.md", "b.csv", "b.json", "b.db", "b-3ASV.log", "b-3ASV-x4.log", "b.svg", "b.png"})
+    EXPECT_EQ(folder.entries(), 10);
+    for (const char* name : {"b.md", "b.csv", "b.json", "b.db", "b-3ASV.log", "b-3ASV-x4.log",
+                             "b.svg", "b.png", "p.svg", "a.pdf"})
         EXPECT_GT(std::filesystem::file_size(folder / name), 100U) << name;
+}
+
+TEST(BenchProgram, WritesTablesForPrint) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "b.tex").string();
+    Words options = two_planners;
+    options.insert(options.end(), {"--table", file, "--columns", "rate,par2-ms"});
+    ASSERT_EQ(bench({testcase_file("3ASV.txt")}, options).exit_code, 0);
+    const std::string table = io::read_file(file);
+    EXPECT_NE(table.find("  planner & rate \\% (95 \\% CI) & PAR-2 ms \\\\\n"), std::string::npos)
+        << table;
 }
 
 TEST(BenchProgram, AnUnsolvedRunIsReportedAndNoError) {
     const Outcome outcome =
         bench({testcase_file("infeasible/wall-across.txt")}, {"--time-limit", "0.05"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("| wall-across | 0 of 2 | - |"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("| wall-across | 0 of 2 | 0 (0, 84.19) | >50.00 (>50.00, >50.00) |"),
+              std::string::npos)
+        << outcome.out;
     EXPECT_NE(outcome.out.find("- wall-across forward, auto: timeout (no path found"),
               std::string::npos)
         << outcome.out;
@@ -146,6 +160,7 @@ TEST(BenchProgram, WrongUsageNamesWhatThereIs) {
         {{"--planner", "auto", "--planner", "auto"}, "two planners are called 'auto'"},
         {{"--planner", "rrt sampler=mix"}, "mix-uniform=1"},
         {{"--plot", "b.gif"}, "must end in .svg, .png or .pdf"},
+        {{"--columns", "solved,magic"}, "there is no column 'magic'; there are solved, rate"},
         {{"--direction", "sideways"}, "forward"},
         {{"--seeds", "0"}, "--seeds"},
         {{"--time-limit", "nan"}, "'nan' is not a decimal number"}};
@@ -159,8 +174,8 @@ TEST(BenchProgram, WrongUsageNamesWhatThereIs) {
 }
 
 TEST(BenchProgram, AnOutputThatCannotBeWrittenIsToldBeforeAnythingRuns) {
-    for (const char* option :
-         {"--table", "--csv", "--json", "--database", "--ompl-log", "--plot"}) {
+    for (const char* option : {"--table", "--csv", "--json", "--database", "--ompl-log", "--plot",
+                               "--profile", "--anytime"}) {
         const Outcome outcome =
             bench({testcase_file("3ASV.txt")}, {option, "/no/such/folder/b.svg"});
         EXPECT_EQ(outcome.exit_code, 5) << option;

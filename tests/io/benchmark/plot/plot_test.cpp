@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/benchmark/plot/curve_plots.hpp"
 #include "io/benchmark/plot/plot_axis.hpp"
 #include "io/benchmark/plot/plot_data.hpp"
 #include "tests/kit/files/benchmark_report_sample.hpp"
@@ -82,6 +83,39 @@ TEST(Plot, IsDrawnInEveryFormatAndTheme) {
     }
     const std::string svg = draw_benchmark(report, PictureFormat::svg, Theme::light);
     EXPECT_NE(svg.find("<title>Benchmark"), std::string::npos);
+}
+
+TEST(CurvePlots, AreDrawnInEveryFormat) {
+    BenchmarkReport report = test::sample_report();
+    report.plan.jobs = 3;
+    for (const auto draw : {draw_profiles, draw_costs_over_time}) {
+        EXPECT_TRUE(draw(report, PictureFormat::png, Theme::dark).starts_with("\x89PNG"));
+        EXPECT_TRUE(draw(report, PictureFormat::pdf, Theme::light).starts_with("%PDF"));
+        const std::string svg = draw(report, PictureFormat::svg, Theme::light);
+        for (const char* words : {"swaps|1", "their times are spoilt"})
+            EXPECT_NE(svg.find(words), std::string::npos) << words;
+    }
+    const std::string svg = draw_profiles(report, PictureFormat::svg, Theme::light);
+    EXPECT_NE(svg.find("<title>Performance profiles"), std::string::npos);
+}
+
+TEST(CurvePlots, PlannersWithoutASolutionAreNamed) {
+    BenchmarkReport report = test::sample_report();
+    for (core::BenchmarkRun& run : report.runs) run.status = core::SolveStatus::timeout;
+    for (const auto draw : {draw_profiles, draw_costs_over_time})
+        EXPECT_NE(draw(report, PictureFormat::svg, Theme::light).find("auto (no curve)"),
+                  std::string::npos);
+}
+
+TEST(CurvePlots, WhatDoesNotFitOnThePageIsSaid) {
+    BenchmarkReport report = test::sample_report();
+    report.plan.problems.resize(200, report.plan.problems[0]);
+    for (std::size_t problem = 2; problem < 200; ++problem) {
+        report.runs.push_back(report.runs[0]);
+        report.runs.back().place.problem = problem;
+    }
+    const std::string svg = draw_costs_over_time(report, PictureFormat::svg, Theme::light);
+    EXPECT_NE(svg.find(" of 202 problems and directions"), std::string::npos);
 }
 
 TEST(Plot, ShowsNamesOfAnyBytesAndThatTimesAreSpoilt) {

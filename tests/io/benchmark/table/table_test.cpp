@@ -1,4 +1,6 @@
-#include "io/benchmark/table.hpp"
+#include "io/benchmark/table/table.hpp"
+
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -34,14 +36,18 @@ TEST(Table, TellsTheSessionAndItsUnit) {
 
 TEST(Table, RowsHoldTheFiguresOfHand) {
     const std::string table = markdown_table(test::sample_report());
-    // 1/64 s and 3/64 s: the deviation of the sample is sqrt(2)/64 s; the unit is 250 ms.
+    // 1/64 s and 3/64 s; the unit is 250 ms. Of two solved runs two are with a chance of p^2, which
+    // is 2.5 % for p = 0.1581.
     EXPECT_TRUE(
         test::contains(table,
-                       "| auto | 2 of 2 | 31.25 | 46.88 | 31.25 | 22.10 | 0.1250 | 0.1875 | "
-                       "0.1250 | 30 | 400 | 3.000 | 2.500 | 1.250 |\n"))
+                       "| auto | 2 of 2 | 100.0 (15.81, 100.0) | 31.25 (15.62, 46.88) | 43.75 | "
+                       "31.25 | 0.1250 | 400 | 3.000 | 2.500 (2.500, 2.500) | 1.250 |\n"))
         << table;
+    // 4/64 s and more than 10 s: the median is more than their mean, PAR-2 that of 4/64 s and 20 s.
     EXPECT_TRUE(
-        test::contains(table, "| swaps\\|1 | 1 of 2 | 62.50 | 62.50 | 62.50 | 0 | 0.2500 |"))
+        test::contains(table,
+                       "| swaps\\|1 | 1 of 2 | 50.00 (1.258, 98.74) | >5031 (62.50, >10000) | "
+                       ">9006 | 10031 | >20.12 | 400 | 3.000 | 2.500 (2.500, 2.500) | 1.250 |\n"))
         << table;
 }
 
@@ -54,6 +60,52 @@ TEST(Table, NamesBeginNoColumnsLinksOrLines) {
         << table;
 }
 
+TEST(Table, ComparesEveryTwoPlannersAtTheEnd) {
+    const std::string table = markdown_table(test::sample_report());
+    // 8 pairs, in all of which the first is faster: p = 2 / 2^8, and twice that for two rows.
+    const std::string rows =
+        "| of | first | second | pairs | ratio (95 % CI) | A12 | better on | p | p (Holm) |\n"
+        "|---|---|---|---:|---:|---:|---:|---:|---:|\n"
+        "| time | auto | swaps\\|1 | 8 | 0.2500 (0.2500, 0.2500) | 1.000 | 4 : 0 | 0.007812 | "
+        "0.01562 |\n"
+        "| cost | auto | swaps\\|1 | 7 | 1.000 (1.000, 1.000) | 0.5000 | 0 : 0 | 1.000 | 1.000 |\n";
+    EXPECT_TRUE(test::contains(table, "### Planners compared\n")) << table;
+    EXPECT_TRUE(test::contains(table, rows)) << table;
+    EXPECT_GT(table.find("### Planners compared"), table.find("### second, it, reversed"));
+}
+
+TEST(Table, SmallPAreBounds) {
+    BenchmarkReport report = test::sample_report();
+    report.plan.seeds = 20;
+    report.runs.clear();
+    for (const core::RunPlace& place : core::places(report.plan)) {
+        report.runs.push_back(test::sample_report().runs[place.planner * 2]);
+        report.runs.back().place = place;
+    }
+    EXPECT_TRUE(test::contains(markdown_table(report), "| 4 : 0 | <0.0001 | <0.0001 |\n"));
+}
+
+TEST(Table, HasTheColumnsThatAreChosen) {
+    const std::string table =
+        markdown_table(test::sample_report(), columns_named("par2-ms,solved-std-ms,nodes"));
+    EXPECT_TRUE(test::contains(table,
+                               "| planner | PAR-2 ms | std ms, solved only | nodes |\n"
+                               "|---|---:|---:|---:|\n"
+                               "| auto | 31.25 | 22.10 | 30 |\n"))
+        << table;
+    // The deviation of a single run; nothing of the one that is not solved.
+    EXPECT_TRUE(test::contains(table, "| swaps\\|1 | 10031 | 0 | 30 |\n")) << table;
+}
+
+TEST(Columns, AnUnknownOneIsToldWithThoseThereAre) {
+    for (const char* keys : {"solved,magic", "", "solved,", "solved cost"}) try {
+            columns_named(keys);
+            ADD_FAILURE() << keys;
+        } catch (const std::invalid_argument& error) {
+            EXPECT_TRUE(test::contains(error.what(), "there are solved, rate, ")) << error.what();
+        }
+}
+
 TEST(Table, ListsTheSeedsThatWereNotSolved) {
     const std::string table = markdown_table(test::sample_report());
     EXPECT_TRUE(
@@ -62,12 +114,13 @@ TEST(Table, ListsTheSeedsThatWereNotSolved) {
         << table;
 }
 
-TEST(Table, NoneSolvedHasNoFigures) {
+TEST(Table, NoneSolvedHasBoundsOfTimesAndNoCosts) {
     BenchmarkReport report = test::sample_report();
     for (core::BenchmarkRun& run : report.runs) run.status = core::SolveStatus::timeout;
     EXPECT_TRUE(
         test::contains(markdown_table(report),
-                       "| auto | 0 of 2 | - | - | - | - | - | - | - | - | - | - | - | - |\n"))
+                       "| auto | 0 of 2 | 0 (0, 84.19) | >10000 (>10000, >10000) | >10000 | 20000 "
+                       "| >40.00 | - | - | - | - |\n"))
         << markdown_table(report);
 }
 
@@ -80,6 +133,7 @@ TEST(Table, OnePlannerHasProblemsAsRows) {
     EXPECT_TRUE(test::contains(table, "\n| first | 2 of 2 |")) << table;
     EXPECT_TRUE(test::contains(table, "\n| second, it | 2 of 2 |")) << table;
     EXPECT_FALSE(test::contains(table, "Not solved"));
+    EXPECT_FALSE(test::contains(table, "Planners compared"));
 }
 
 TEST(Table, SaysWhatSpoilsIt) {
