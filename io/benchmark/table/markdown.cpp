@@ -49,7 +49,7 @@ std::string table(const TextTable& table) {
 std::string markdown(const ReportText& report) {
     std::string text;
     for (const std::string& note : report.notes)
-        text += (text.empty() ? "" : "\n") + harmless(note) + "\n";
+        text.append(text.empty() ? "" : "\n").append(harmless(note)).append("\n");
     for (const TextTable& one : report.tables) text += table(one);
     if (!report.unsolved.empty()) text += "\nNot solved:\n\n";
     for (const std::string& entry : report.unsolved)
