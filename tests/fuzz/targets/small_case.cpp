@@ -29,7 +29,7 @@ class Draws {
     std::size_t below(std::size_t count) { return next() % count; }
     /// In [0, 1].
     double share() { return next() / 255.0; }
-    double between(double low, double high) { return low + (high - low) * share(); }
+    double between(double low, double high) { return std::min(low + (high - low) * share(), high); }
     template <std::size_t count>
     double one_of(const double (&values)[count]) {
         return values[below(count)];
