@@ -6,7 +6,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 usage="usage: fuzz.sh MINUTES [TARGET...]; targets: $(cd tests/fuzz/corpus && echo *)"
-minutes=${1:?$usage}
+[ $# -gt 0 ] || { echo "$usage" >&2; exit 2; }
+minutes=$1
 shift
 targets=("$@")
 [ $# -gt 0 ] || mapfile -t targets < <(ls tests/fuzz/corpus)
@@ -20,15 +21,15 @@ tools/install_packages.sh ci
 cmake --preset fuzz > /dev/null
 cmake --build --preset fuzz
 
-# about TARGET: its options. The longest input in bytes, the longest time for one in seconds, and its
-# dictionary where one helps.
+# about TARGET: its options. The longest input in bytes, the longest time for one in seconds of a busy machine,
+# and its dictionary where one helps.
 about() {
     case "$1" in
-        problem | solution) echo "-max_len=4096 -timeout=10 -dict=tests/fuzz/dictionaries/numbers.dict" ;;
-        settings) echo "-max_len=1024 -timeout=10 -dict=tests/fuzz/dictionaries/numbers.dict" ;;
-        scenario | trees | statistics) echo "-max_len=2048 -timeout=10 -dict=tests/fuzz/dictionaries/json.dict" ;;
-        map) echo "-max_len=1024 -timeout=10 -dict=tests/fuzz/dictionaries/map.dict" ;;
-        solve) echo "-max_len=128 -timeout=120" ;;
+        problem | solution) echo "-max_len=4096 -timeout=60 -dict=tests/fuzz/dictionaries/numbers.dict" ;;
+        settings) echo "-max_len=1024 -timeout=60 -dict=tests/fuzz/dictionaries/numbers.dict" ;;
+        scenario | trees | statistics) echo "-max_len=2048 -timeout=60 -dict=tests/fuzz/dictionaries/json.dict" ;;
+        map) echo "-max_len=1024 -timeout=60 -dict=tests/fuzz/dictionaries/map.dict" ;;
+        solve) echo "-max_len=128 -timeout=300" ;;
     esac
 }
 
@@ -41,7 +42,7 @@ for target in "${targets[@]}"; do
     log=build/fuzz/$target.log
     # shellcheck disable=SC2046
     build/fuzz/fuzzers/"fuzz_$target" $(about "$target") -max_total_time="$seconds" -print_final_stats=1 \
-        -malloc_limit_mb=512 -rss_limit_mb=2048 -artifact_prefix="$found/$target-" \
+        -malloc_limit_mb=512 -rss_limit_mb=2048 -report_slow_units=60 -artifact_prefix="$found/$target-" \
         "$corpus" "tests/fuzz/corpus/$target" > "$log" 2>&1 || failed+=("$target")
     awk -v target="$target" -v seconds="$seconds" '
         / cov: / { for (i = 1; i < NF; ++i) { if ($i == "cov:") edges = $(i + 1); if ($i == "corp:") inputs = $(i + 1) } }
