@@ -17,7 +17,7 @@ done
 seconds=$(awk -v minutes="$minutes" -v count="${#targets[@]}" \
     'BEGIN { seconds = int(60 * minutes / count); print seconds < 1 ? 1 : seconds }')
 
-tools/install_packages.sh ci
+tools/install_packages.sh fuzz
 cmake --preset fuzz > /dev/null
 cmake --build --preset fuzz
 
