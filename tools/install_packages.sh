@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|python|package|
-# package_test|site|playground]. "build" is what the libraries and programs need, "test" adds what the tests need,
+# package_test|site|playground|fuzz]. "build" is what the libraries and programs need, "test" adds what the tests need,
 # "ci" the second compiler as well; "python" is "build" and what the Python module and its tests need;
 # "package" is "build" and what makes Debian packages, "package_test" what tries them as well; "site" is
 # what tools/site.sh needs, with what it takes to configure the project; "playground" is what tools/playground.sh needs to
-# compile the planner for a browser.
+# compile the planner for a browser; "fuzz" is "build" and what tools/fuzz.sh needs.
 set -euo pipefail
 
 build_packages=(
@@ -56,6 +56,9 @@ playground_packages=(
     emscripten                     # a compiler for WebAssembly
     libstb-dev                     # reads PNG pictures there
 )
+fuzz_packages=(
+    clang libclang-rt-dev          # a compiler with libFuzzer and its own sanitizers
+)
 
 what=${1:-build}
 packages=("${build_packages[@]}")
@@ -66,6 +69,7 @@ case "$what" in
     python) packages+=("${python_packages[@]}") ;;
     site) packages+=("${site_packages[@]}") ;;
     playground) packages+=("${playground_packages[@]}") ;;
+    fuzz) packages+=("${fuzz_packages[@]}") ;;
 esac
 if [ "$what" = test ] || [ "$what" = ci ]; then
     packages+=("${test_packages[@]}" "${manual_packages[@]}")

@@ -1,7 +1,10 @@
 #include "core/solve/solve.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -45,6 +48,28 @@ SolveResult infeasible(std::string reason) {
     return result;
 }
 
+/// How far the coordinates of a path, and the turns of an arm along it, may be off by rounding:
+/// some times the last bit of the largest, for each ASV and step.
+double rounding_of(const Problem& problem, const Path& path) {
+    constexpr double unit_roundoff = 0x1p-53, roundings = 16;
+    const Box window = planning_window(problem);
+    double size = problem.arm() ? 2 * std::numbers::pi : 0;
+    for (const Point& corner : {window.low, window.high})
+        size = std::max({size, std::abs(corner.x), std::abs(corner.y)});
+    return roundings * unit_roundoff * size * static_cast<double>(path.asv_count() * path.size());
+}
+
+/// The path is right, but for its last bits, which nobody can write down better.
+void note_tolerance_too_small(const Problem& problem, const CheckResult& failed,
+                              SolveResult& result) {
+    std::ostringstream reason;
+    reason
+        << "a path was found, but its coordinates, as they are rounded, do not keep a tolerance of "
+        << problem.requirements.tolerance << ": " << describe(failed);
+    result.status = SolveStatus::timeout;
+    result.reason = reason.str();
+}
+
 /// Makes the path the given problem's solution, which the validator's own code has passed.
 void check_solution(const SolveCall& call, Path path, SolveResult& result) {
     const Problem& problem = call.problem;
@@ -53,10 +78,13 @@ void check_solution(const SolveCall& call, Path path, SolveResult& result) {
     result.report = validate(
         problem, solution,
         {.tolerance = problem.requirements.tolerance, .continuous = call.options.certify_motion});
-    for (const CheckResult& check : result.report.checks)
-        if (!check.ok())
-            throw std::logic_error("the path found fails the check of " +
-                                   std::string(name(check.check)) + ": " + describe(check));
+    for (const CheckResult& check : result.report.checks) {
+        if (check.ok()) continue;
+        if (problem.requirements.tolerance < rounding_of(problem, solution.path))
+            return note_tolerance_too_small(problem, check, result);
+        throw std::logic_error("the path found fails the check of " +
+                               std::string(name(check.check)) + ": " + describe(check));
+    }
     result.solution = std::move(solution);
     result.status = SolveStatus::solved;
 }
@@ -85,6 +113,7 @@ void finish(const SolveCall& call, const RaceResult& first, SolveResult& result)
         return;
     }
     check_solution(call, call.frame.path_back(*steps), result);
+    if (!result.solution) return;
     note_cost(result.solution->cost, call.clock.elapsed(), result.statistics);
     if (call.options.find_bounds)
         find_bounds(call, time_to_write(result.solution->path), result.statistics);

@@ -89,7 +89,9 @@ class InvalidEnds : public std::invalid_argument {
 std::vector<InvalidEnd> invalid_ends(const Problem& problem);
 
 /// Plans, improves and checks. The same options with one thread and enough time give the same
-/// solution, byte for byte. Each call has a clock of its own, which starts with it.
+/// solution, byte for byte. Each call has a clock of its own, which starts with it. A tolerance so
+/// small that no coordinates keep it once they are rounded ends without a solution, as a timeout
+/// that tells this reason.
 /// Throws InvalidEnds when start or goal is not valid, std::invalid_argument when an option makes
 /// no sense for the body, std::logic_error when the validator rejects the path that was found (a
 /// bug), and std::bad_alloc when there is no memory, in whatever thread.

@@ -1,5 +1,6 @@
 #include "core/validation/path_checks.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace asv::core::validation {
@@ -33,11 +34,15 @@ double step_cost(State from, State to) {
     return cost;
 }
 
-Finding check_cost(double written, double computed, const Requirements& requirements) {
+Finding check_cost(double written, double computed, double rounding,
+                   const Requirements& requirements) {
     const double off = std::abs(written - computed);
+    // A sum that has overflown is no excuse.
+    const double allowed = std::isfinite(rounding) ? std::max(requirements.tolerance, rounding)
+                                                   : requirements.tolerance;
     Finding finding;
-    finding.ok = off <= requirements.tolerance;
-    finding.offender.room = requirements.tolerance - off;
+    finding.ok = off <= allowed;
+    finding.offender.room = allowed - off;
     return finding;
 }
 

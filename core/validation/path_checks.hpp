@@ -15,7 +15,9 @@ Finding check_step(State from, State to, const Requirements& requirements);
 /// The distance that all ASVs together move from one state to the next.
 double step_cost(State from, State to);
 
-/// The written cost is within the tolerance of the computed one. Room: length.
-Finding check_cost(double written, double computed, const Requirements& requirements);
+/// The written cost is within the tolerance of the computed one, or within the rounding of that: no
+/// tolerance asks for more digits than a sum has. Room: length.
+Finding check_cost(double written, double computed, double rounding,
+                   const Requirements& requirements);
 
 }  // namespace asv::core::validation

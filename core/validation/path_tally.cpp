@@ -15,11 +15,23 @@ PathTally::PathTally(const Requirements& requirements, bool list_offenders, Body
 void PathTally::add_step(State from, State to, double cost, std::size_t state) {
     steps_.add(check_step(from, to, requirements_), state);
     computed_cost_ += cost;
+    ++step_count_;
+    asv_count_ = from.size();
+}
+
+/// Each distance passes through an addition for each ASV and each step behind it, all of which
+/// round (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 4.2).
+double PathTally::rounding_of_cost() const {
+    constexpr double unit_roundoff = 0x1p-53;
+    // Of a distance itself, and of the written sum, in units.
+    constexpr std::size_t of_terms = 8;
+    const auto roundings = static_cast<double>(step_count_ + asv_count_ + of_terms);
+    return roundings * unit_roundoff * computed_cost_;
 }
 
 void PathTally::finish(double written_cost, ValidationReport& report) && {
     report.cost = computed_cost_;
-    cost_.add(check_cost(written_cost, computed_cost_, requirements_), 0);
+    cost_.add(check_cost(written_cost, computed_cost_, rounding_of_cost(), requirements_), 0);
     for (Tally* tally : {&ends_, &steps_, &cost_})
         report.checks.push_back(std::move(*tally).result());
 }

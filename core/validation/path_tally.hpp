@@ -24,9 +24,12 @@ class PathTally {
     void finish(double written_cost, ValidationReport& report) &&;
 
   private:
+    double rounding_of_cost() const;
+
     const Requirements& requirements_;
     Tally ends_, steps_, cost_;
     double computed_cost_ = 0;
+    std::size_t step_count_ = 0, asv_count_ = 0;
 };
 
 /// The three checks where the cost is the distance moved.

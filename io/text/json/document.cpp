@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 
 #include "io/text/json/limits.hpp"
+#include "io/text/number_text.hpp"
 #include "io/text/parse_error.hpp"
 #include "io/text/scanner.hpp"
 
@@ -20,6 +20,14 @@ std::string excerpt(const Json& value) {
     std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
     if (text.size() > longest_excerpt) text = text.substr(0, longest_excerpt) + "...";
     return text;
+}
+
+/// What the parser has stopped at.
+[[noreturn]] void fail_at(std::string_view text, const std::string& name, std::size_t byte) {
+    const TextPlace place = place_of_offset(text, byte);
+    const std::string found =
+        byte < text.size() ? excerpt(Json(std::string(1, text[byte]))) : "the end of the file";
+    throw ParseError(name, place.line, place.column, "JSON", found);
 }
 
 /// What a message of the parser puts between single quotes: the token it speaks of.
@@ -47,17 +55,16 @@ JsonDocument::JsonDocument(std::string_view text, std::string name)
         root_ = Json::parse(text);
     } catch (const Json::parse_error& error) {
         // The parser counts bytes from 1 and points at the byte that it could not use.
-        const std::size_t byte = error.byte == 0 ? 0 : error.byte - 1;
-        const TextPlace place = place_of_offset(text, byte);
-        const std::string found =
-            byte < text.size() ? excerpt(Json(std::string(1, text[byte]))) : "the end of the file";
-        throw ParseError(name_, place.line, place.column, "JSON", found);
+        fail_at(text, name_, error.byte == 0 ? 0 : error.byte - 1);
     } catch (const Json::out_of_range& error) {
         const std::string number = quoted(error.what());
         const TextPlace place = place_of_offset(text, std::min(text.find(number), text.size()));
         throw ParseError(name_, place.line, place.column, "a number within the range of a double",
                          number);
     }
+    // The parser takes a zero byte for the end of the text; what is behind it has not been read.
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
+        fail_at(text, name_, zero);
     require_unique_members(text, name_);
 }
 
@@ -119,16 +126,15 @@ double JsonDocument::number(const Pointer& at) const {
 double JsonDocument::number(const Pointer& at, double low, double high) const {
     const double value = number(at);
     if (value >= low && value <= high) return value;
-    std::ostringstream expected;
-    const bool positive = low > 0 && low == std::numeric_limits<double>::min();
-    if (positive) {
-        expected << "a number greater than 0";
-    } else if (high >= largest_number) {
-        expected << "a number of at least " << low;
-    } else {
-        expected << "a number from " << low << " to " << high;
+    if (low == std::numeric_limits<double>::min()) fail(at, "a number greater than 0");
+    // With all their digits: the number that was found may be near.
+    std::string expected = high >= largest_number ? "a number of at least " : "a number from ";
+    append_number(expected, low);
+    if (high < largest_number) {
+        expected += " to ";
+        append_number(expected, high);
     }
-    fail(at, expected.str());
+    fail(at, expected);
 }
 
 std::int64_t JsonDocument::integer(const Pointer& at, std::int64_t low, std::int64_t high) const {

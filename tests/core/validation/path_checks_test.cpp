@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/validation/validate.hpp"
@@ -53,6 +55,20 @@ TEST(ValidatePath, OneStateIsAPathWithoutSteps) {
     EXPECT_TRUE(result.valid());
     EXPECT_EQ(test::find(result.checks, Check::steps).states, 0U);
     EXPECT_EQ(describe(test::find(result.checks, Check::steps)), "nothing to check");
+}
+
+TEST(ValidatePath, ACostIsRightWithinTheRoundingOfTheSum) {
+    Case path = test::case_of(slide());
+    const auto cost_is_right = [&](double cost, double tolerance) {
+        path.solution.cost = cost;
+        return test::find(report(path, {.tolerance = tolerance}).checks, Check::cost).ok();
+    };
+    const double cost = path.solution.cost, last_bit = std::nextafter(cost, 1) - cost;
+    EXPECT_TRUE(cost_is_right(cost + last_bit, 0));
+    EXPECT_TRUE(cost_is_right(cost - last_bit, 0));
+    EXPECT_FALSE(cost_is_right(cost + 100 * last_bit, 0));
+    EXPECT_TRUE(cost_is_right(cost + e - bit, e));
+    EXPECT_FALSE(cost_is_right(cost + e + bit, e));
 }
 
 TEST(ValidatePath, EndsMayBeOffByTheTolerance) {

@@ -194,6 +194,7 @@ std::vector<Mistake> mistakes_of_the_document() {
          "s.json:1:1: expected a member at version, found nothing"},
         {with(point, "\"start\": [0, 0], ", ""),
          "s.json:1:1: expected a member at start, found nothing"},
+        {std::string("{}\0}", 4), "s.json:1:3: expected JSON, found \"\\u0000\""},
         {with(point, "\"start\"", "\"stat\": 5, \"start\""),
          "s.json:1:51: expected no other members than version, body, start, goal, bounds, "
          "obstacles, map, step, tolerance at stat, found 5"},
@@ -256,6 +257,8 @@ std::vector<Mistake> mistakes_of_an_arm() {
          "s.json:3:45: expected an array of 2 joint angles in radians at goal, found [1]"},
         {with(arm, "\"wrap\"", "[0, 2]"),
          "s.json:3:49: expected a number from 0 to 2 at goal[1], found -7"},
+        {with(arm, "\"wrap\"", "[0, 2.00000001]"),
+         "s.json:3:49: expected a number from 0 to 2.00000001 at goal[1], found -7"},
         {with(arm, "\"bounds\"", "\"step\": 1.5, \"bounds\""),
          "s.json:3:10: expected at most the length of the shortest link at step, found 1.5"},
     };
