@@ -35,8 +35,7 @@ TEST(SpreadOf, OfOneAndOfNone) {
     EXPECT_DOUBLE_EQ(spread_of({}).median, 0);
 }
 
-BenchmarkRun run_of(std::uint64_t seed, SolveStatus status, double time, double cost,
-                    double bound) {
+BenchmarkRun run_of(std::uint64_t seed, RunStatus status, double time, double cost, double bound) {
     BenchmarkRun run;
     run.place.seed = seed;
     run.status = status;
@@ -52,9 +51,9 @@ TEST(Summarise, TakesFiguresOfSolvedRunsAlone) {
     BenchmarkPlan plan;
     plan.problems.resize(1);
     plan.planners.resize(2);
-    const std::vector<BenchmarkRun> runs{run_of(1, SolveStatus::solved, 1, 6, 4),
-                                         run_of(2, SolveStatus::timeout, 100, 0, 0),
-                                         run_of(3, SolveStatus::solved, 3, 8, 4)};
+    const std::vector<BenchmarkRun> runs{run_of(1, RunStatus::solved, 1, 6, 4),
+                                         run_of(2, RunStatus::timeout, 100, 0, 0),
+                                         run_of(3, RunStatus::solved, 3, 8, 4)};
     const std::vector<Summary> summaries = summarise(plan, runs);
     ASSERT_EQ(summaries.size(), 1U) << "the second planner has not run";
     const Summary& summary = summaries[0];
@@ -68,9 +67,9 @@ TEST(Summarise, TakesFiguresOfSolvedRunsAlone) {
 }
 
 TEST(Summarise, WithoutABoundThereIsNoRatio) {
-    EXPECT_FALSE(cost_ratio(run_of(1, SolveStatus::solved, 1, 6, 0)));
-    EXPECT_FALSE(cost_ratio(run_of(1, SolveStatus::timeout, 1, 0, 4)));
-    EXPECT_DOUBLE_EQ(*cost_ratio(run_of(1, SolveStatus::solved, 1, 6, 4)), 1.5);
+    EXPECT_FALSE(cost_ratio(run_of(1, RunStatus::solved, 1, 6, 0)));
+    EXPECT_FALSE(cost_ratio(run_of(1, RunStatus::timeout, 1, 0, 4)));
+    EXPECT_DOUBLE_EQ(*cost_ratio(run_of(1, RunStatus::solved, 1, 6, 4)), 1.5);
 }
 
 }  // namespace

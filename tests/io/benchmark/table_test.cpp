@@ -64,7 +64,7 @@ TEST(Table, ListsTheSeedsThatWereNotSolved) {
 
 TEST(Table, NoneSolvedHasNoFigures) {
     BenchmarkReport report = test::sample_report();
-    for (core::BenchmarkRun& run : report.runs) run.status = core::SolveStatus::timeout;
+    for (core::BenchmarkRun& run : report.runs) run.status = core::RunStatus::timeout;
     EXPECT_TRUE(
         test::contains(markdown_table(report),
                        "| auto | 0 of 2 | - | - | - | - | - | - | - | - | - | - | - | - |\n"))

@@ -95,7 +95,7 @@ TEST(Plot, ShowsNamesOfAnyBytesAndThatTimesAreSpoilt) {
 
 TEST(Plot, IsDrawnWhereNothingIsSolvedAndWhereThereIsMuch) {
     BenchmarkReport report = test::sample_report();
-    for (core::BenchmarkRun& run : report.runs) run.status = core::SolveStatus::timeout;
+    for (core::BenchmarkRun& run : report.runs) run.status = core::RunStatus::timeout;
     EXPECT_FALSE(draw_benchmark(report, PictureFormat::png, Theme::light).empty());
     report = test::sample_report();
     report.plan.problems.resize(200, report.plan.problems[0]);
