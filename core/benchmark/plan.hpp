@@ -24,6 +24,8 @@ struct BenchmarkProblem {
     std::string name;  ///< what tables call it; no other problem of the plan has it
     std::string file;  ///< where it was read from, for commands that repeat a run
     Problem problem;
+    /// Of its content: two problems with one digest are the same, whatever their files are called.
+    std::string digest = {};
 };
 
 /// A planner with settings of its own.

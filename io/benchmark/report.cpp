@@ -33,7 +33,44 @@ std::string number(double value) {
     return text;
 }
 
+std::string listed(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
 }  // namespace
+
+BenchmarkSession joined(std::vector<BenchmarkSession> sessions) {
+    std::vector<BenchmarkSession> parts;
+    for (BenchmarkSession& session : sessions) {
+        if (session.parts.empty())
+            parts.push_back(std::move(session));
+        else
+            parts.insert(parts.end(), session.parts.begin(), session.parts.end());
+    }
+    BenchmarkSession whole = parts.front();
+    if (parts.size() == 1) return whole;
+    whole.total = whole.unit_before = whole.unit_after = 0;
+    std::vector<std::string> hosts, cpus;
+    const auto add = [](std::vector<std::string>& names, const std::string& name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    const auto count = static_cast<double>(parts.size());
+    for (const BenchmarkSession& part : parts) {
+        add(hosts, part.host);
+        add(cpus, part.cpu);
+        whole.processors = std::max(whole.processors, part.processors);
+        whole.started = std::min(whole.started, part.started);
+        whole.total += part.total;
+        whole.unit_before += part.unit_before / count;
+        whole.unit_after += part.unit_after / count;
+    }
+    whole.host = listed(hosts);
+    whole.cpu = listed(cpus);
+    whole.parts = std::move(parts);
+    return whole;
+}
 
 std::string planner_text(const core::BenchmarkPlanner& planner) {
     std::string text{core::name(planner.planner)};

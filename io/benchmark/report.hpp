@@ -18,10 +18,16 @@ struct BenchmarkSession {
     std::chrono::system_clock::time_point started;
     double total = 0;                        ///< seconds that all took together
     double unit_before = 1, unit_after = 1;  ///< seconds of 10^6 scalar state checks
+    /// The sessions that its runs are from, where that is not one; none of them has parts.
+    std::vector<BenchmarkSession> parts = {};
 
     /// The unit of the session: the mean of both.
     double unit() const { return (unit_before + unit_after) / 2; }
 };
+
+/// What can be said of several sessions together: begun with the first, as long as all of them, the
+/// means of their units. Precondition: at least one; each of one version.
+BenchmarkSession joined(std::vector<BenchmarkSession> sessions);
 
 /// All that the files of a benchmark tell.
 struct BenchmarkReport {

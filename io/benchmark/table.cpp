@@ -44,6 +44,7 @@ std::string heading(const BenchmarkReport& report) {
         text.append(" ")
             .append(plural(plan.jobs, "run"))
             .append(" side by side: their times are spoilt.");
+    text += sessions_note(session);
     if (!report.complete())
         text += " Interrupted: " + std::to_string(report.runs.size()) + " of " +
                 std::to_string(core::run_count(plan)) + " runs.";

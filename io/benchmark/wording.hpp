@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/benchmark/plan.hpp"
+#include "io/benchmark/report.hpp"
 
 /// Phrases that the table and the plot of a benchmark share.
 
@@ -17,5 +18,9 @@ std::string problem_facts(const core::Problem& problem, double lower_bound);
 
 /// "Seeds 1 to 10, time limit 10 s, optimize 0 s, 1 thread".
 std::string plan_facts(const core::BenchmarkPlan& plan);
+
+/// " Runs of 2 sessions.", and what that means for their times where machines differ; empty for
+/// runs of one session.
+std::string sessions_note(const BenchmarkSession& session);
 
 }  // namespace asv::io

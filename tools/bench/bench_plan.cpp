@@ -9,6 +9,7 @@
 
 #include "core/solve/idle_settings.hpp"
 #include "io/benchmark/ompl_log.hpp"
+#include "io/benchmark/record/problem_digest.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/escape.hpp"
@@ -112,7 +113,8 @@ bool read_problems(const CommandLine& command_line, const std::vector<std::strin
             command_line.print(read.warnings);
             roles.add_maps(read);
             all_good = accept(files[i], read) && all_good;
-            problems.push_back({names[i], files[i], std::move(read.problem)});
+            const std::string digest = io::problem_digest(read.problem);
+            problems.push_back({names[i], files[i], std::move(read.problem), digest});
         } catch (const io::ParseError& error) {
             std::cerr << error.what() << '\n';
             all_good = false;

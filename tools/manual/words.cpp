@@ -71,7 +71,11 @@ Words bench() {
              {"asv-bench testcases/3ASV.txt --planner \"swaps: rrt-connect swap-limiter=on\"",
               "Runs a planner with a setting under a name of its own."},
              {"asv-bench testcases/*.txt --planner all --csv runs.csv --plot runs.svg",
-              "Runs all planners on many problems."}}};
+              "Runs all planners on many problems."},
+             {"asv-bench testcases/*.txt --resume sweep.jsonl --csv runs.csv",
+              "Runs a sweep that, once killed, goes on when the same is typed again."},
+             {"asv-bench --from monday.json --from tuesday.json --plot both.svg",
+              "Puts runs of two benchmarks together, and runs nothing."}}};
 }
 
 Words generate() {

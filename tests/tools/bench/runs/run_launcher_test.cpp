@@ -1,4 +1,4 @@
-#include "tools/bench/run_launcher.hpp"
+#include "tools/bench/runs/run_launcher.hpp"
 
 #include <string>
 
