@@ -33,6 +33,11 @@ struct BenchmarkPlanner {
     std::string label;  ///< what tables call it; no other planner of the plan has it
     Planner planner;
     std::vector<std::pair<std::string, std::string>> settings;  ///< what differs from the default
+    /// Of another program that plans instead, whose runs are not those of run_once(): its words,
+    /// with placeholders. Empty for the planners of this library.
+    std::vector<std::string> command = {};
+
+    bool external() const { return !command.empty(); }
 };
 
 /// The defaults are those of asv-bench.

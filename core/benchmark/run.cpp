@@ -27,7 +27,7 @@ auto run_order(const RunPlace& place) {
 void require_runnable(const BenchmarkPlan& plan) {
     for (const BenchmarkProblem& problem : plan.problems) {
         for (const BenchmarkPlanner& planner : plan.planners)
-            require_usable(planner.planner, problem.problem.body_kind());
+            if (!planner.external()) require_usable(planner.planner, problem.problem.body_kind());
         if (const auto invalid = invalid_ends(problem.problem); !invalid.empty())
             throw std::invalid_argument(problem.name + ": " + (invalid[0].goal ? "goal" : "start") +
                                         " is not valid: " + invalid[0].reason);

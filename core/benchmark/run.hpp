@@ -50,7 +50,7 @@ struct BenchmarkRun {
 };
 
 /// One run of the plan: solve(), then fault_of() what it found. Whatever solve() throws, but lack
-/// of memory, is a fault of the run.
+/// of memory, is a fault of the run. Precondition: the planner is not external.
 BenchmarkRun run_once(const BenchmarkPlan& plan, const RunPlace& place,
                       const std::stop_token& abort = {});
 

@@ -174,6 +174,7 @@ std::string setup_text(const BenchmarkReport& report, const Experiment& experime
 }
 
 std::vector<std::string> setting_lines(const core::BenchmarkPlanner& planner) {
+    if (planner.external()) return {"planner = " + planner_text(planner)};
     std::vector<std::string> lines{"planner = " + std::string(core::name(planner.planner))};
     core::Planner copy = planner.planner;
     for (const core::Setting& setting : core::settings(copy))

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include "io/benchmark/record/command_words.hpp"
 #include "io/text/number_text.hpp"
 
 namespace asv::io {
@@ -36,6 +37,16 @@ std::string number(double value) {
 std::string listed(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+std::string external_command(const core::BenchmarkPlan& plan, const core::RunPlace& place) {
+    const bool reversed = place.direction == core::Direction::reversed;
+    const CommandValues values{reversed ? "reversed.txt" : plan.problems[place.problem].file,
+                               "solution.txt", std::to_string(place.seed), number(plan.time_limit)};
+    std::string text;
+    for (const std::string& word : plan.planners[place.planner].command)
+        text += (text.empty() ? "" : " ") + quoted(fill_in(word, values));
     return text;
 }
 
@@ -73,6 +84,7 @@ BenchmarkSession joined(std::vector<BenchmarkSession> sessions) {
 }
 
 std::string planner_text(const core::BenchmarkPlanner& planner) {
+    if (planner.external()) return "exec " + join_command(planner.command);
     std::string text{core::name(planner.planner)};
     for (const auto& [key, value] : planner.settings) text += " " + key + "=" + value;
     return text;
@@ -80,6 +92,7 @@ std::string planner_text(const core::BenchmarkPlanner& planner) {
 
 std::string solve_command(const core::BenchmarkPlan& plan, const core::RunPlace& place) {
     const core::BenchmarkPlanner& planner = plan.planners[place.planner];
+    if (planner.external()) return external_command(plan, place);
     std::string text = "asv-solve " + quoted(plan.problems[place.problem].file) + " solution.txt" +
                        " --planner " + std::string(core::name(planner.planner));
     for (const auto& [key, value] : planner.settings) text += " --set " + quoted(key + "=" + value);

@@ -39,10 +39,12 @@ struct BenchmarkReport {
     bool complete() const { return runs.size() == core::run_count(plan); }
 };
 
-/// "rrt-connect swap-limiter=on": name and settings, as --planner of asv-bench takes them.
+/// "rrt-connect swap-limiter=on", "exec ./planner {problem} {solution}": name and settings or
+/// command, as --planner of asv-bench takes them.
 std::string planner_text(const core::BenchmarkPlanner& planner);
 
-/// A call of asv-solve that repeats the run, quoted for a shell.
+/// A call of asv-solve that repeats the run, quoted for a shell; or of the program that is the
+/// planner, whose problem, where it is reversed, is to be written as reversed.txt first.
 std::string solve_command(const core::BenchmarkPlan& plan, const core::RunPlace& place);
 
 /// "2026-11-25 16:06:21", in UTC.

@@ -21,9 +21,12 @@ void add_plan_options(CLI::App& app, BenchArguments& arguments) {
                    "Problem files and scenarios; - for standard input")
         ->type_name(problem_file);
     add_reading_options(app, arguments.reading);
-    app.add_option("--planner", arguments.planners,
-                   "\"[LABEL:] NAME [KEY=VALUE]...\": a planner with settings, see asv-solve "
-                   "--list-planners; \"all\" for every planner; may be repeated")
+    app.add_option(
+           "--planner", arguments.planners,
+           "\"[LABEL:] NAME [KEY=VALUE]...\": a planner with settings, see asv-solve "
+           "--list-planners; \"all\" for every planner; \"[LABEL:] exec COMMAND\" for another "
+           "program, with {problem}, {solution}, {seed} and {time} in its words; may be "
+           "repeated")
         ->type_name("PLANNER|all")
         ->allow_extra_args(false)
         ->default_str("auto");

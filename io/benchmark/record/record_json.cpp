@@ -49,6 +49,12 @@ ordered_json problems_json(const core::BenchmarkPlan& plan) {
 ordered_json planners_json(const core::BenchmarkPlan& plan) {
     ordered_json list = ordered_json::array();
     for (const core::BenchmarkPlanner& planner : plan.planners) {
+        if (planner.external()) {
+            list.push_back({{"label", planner.label},
+                            {"planner", external_name},
+                            {"command", planner.command}});
+            continue;
+        }
         core::Planner copy = planner.planner;
         ordered_json given = ordered_json::array(), settings = ordered_json::object();
         for (const auto& [key, value] : planner.settings) given.push_back(key + "=" + value);

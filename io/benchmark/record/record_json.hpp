@@ -15,6 +15,9 @@ namespace asv::io {
 /// Member "format" of a file that --json has written.
 inline constexpr std::string_view runs_format = "asv-bench runs 1";
 
+/// The name of a planner that is another program.
+inline constexpr std::string_view external_name = "exec";
+
 /// The words for core::BodyKind, in its order.
 inline constexpr std::array<std::string_view, 3> body_names{"chain", "arm", "point"};
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "io/benchmark/record/command_words.hpp"
 #include "io/benchmark/record/record_json.hpp"
 #include "io/problem/reading.hpp"
 
@@ -14,6 +15,11 @@ namespace {
 
 using Pointer = JsonDocument::Pointer;
 
+/// Obstacles and ASVs of all problems together, 32 bytes each: what stands for a problem has as
+/// many of them as the problem.
+constexpr std::size_t most_in_all = 10'000'000;
+
+/// Of what has no bound of its own.
 constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
 
 std::size_t count(const JsonDocument& document, const Pointer& at, std::size_t low,
@@ -101,10 +107,29 @@ core::BenchmarkProblem read_problem(const JsonDocument& document, const Pointer&
             document.text(at / "digest")};
 }
 
+std::vector<std::string> read_command(const JsonDocument& document, const Pointer& at) {
+    const std::size_t size = document.array(at).size();
+    if (size == 0) document.fail(at, "the words of a command");
+    std::vector<std::string> words;
+    for (std::size_t i = 0; i < size; ++i) {
+        words.push_back(document.text(at / i));
+        try {
+            static_cast<void>(fill_in(words.back(), {}));
+        } catch (const std::invalid_argument& error) {
+            document.fail(at / i, std::string("a word of a command (") + error.what() + ")");
+        }
+    }
+    return words;
+}
+
 core::BenchmarkPlanner read_planner(const JsonDocument& document, const Pointer& at) {
     core::BenchmarkPlanner planner;
     planner.label = document.text(at / "label");
     Pointer place = at / "planner";
+    if (document.is_text(place) && document.text(place) == external_name) {
+        planner.command = read_command(document, at / "command");
+        return planner;
+    }
     try {
         planner.planner = core::planner_named(document.text(place));
         for (std::size_t i = 0; i < document.array(at / "given").size(); ++i) {
@@ -170,8 +195,15 @@ void RecordReader::read_plan(const JsonDocument& document, std::string_view form
     report.session = read_session(document, root / "session");
     read_limits(document, root / "session", report.plan);
     const Pointer problems = root / "problems", planners = root / "planners";
+    std::size_t in_all = 0;
     for (std::size_t i = 0; i < document.array(problems).size(); ++i) {
         report.plan.problems.push_back(read_problem(document, problems / i));
+        const core::Problem& problem = report.plan.problems[i].problem;
+        in_all += problem.obstacles.size() + problem.asv_count();
+        if (in_all > most_in_all)
+            document.fail(
+                problems / i / "obstacle_count",
+                "at most " + std::to_string(most_in_all) + " obstacles and ASVs in all problems");
         if (!problems_.emplace(report.plan.problems[i].name, i).second)
             document.fail(problems / i / "name", "a name that no other problem has");
     }

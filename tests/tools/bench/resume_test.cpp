@@ -53,7 +53,7 @@ TEST(Resume, ASweepThatIsKilledAgainAndAgainGivesTheSameRows) {
     ASSERT_EQ(run_program("asv-bench", sweep(in("whole.json"))).exit_code, 0);
     Words resumed = sweep(in("parts.json"));
     resumed.insert(resumed.end(), {"--resume", in("sweep.jsonl")});
-    for (const unsigned milliseconds : {50U, 350U, 200U, 420U, 280U, 310U}) {
+    for (const unsigned milliseconds : {250U, 400U, 550U, 700U, 1000U, 1500U}) {
         Surroundings killed;
         killed.signals = {SIGKILL};
         killed.before_each_signal = milliseconds;
@@ -161,7 +161,7 @@ TEST(From, AddsAPlannerAndRunsOnlyThat) {
 
 TEST(From, LeavesNoRoomForOptionsOfThePlan) {
     EXPECT_EQ(run_program("asv-bench", {"--from", "a.json", "--seeds", "3"}).exit_code, 2);
-    EXPECT_EQ(run_program("asv-bench", {"--from", "a.json", "b.txt"}).exit_code, 2);
+    EXPECT_EQ(run_program("asv-bench", {"b.txt", "--from", "a.json"}).exit_code, 2);
     EXPECT_EQ(run_program("asv-bench", {}).exit_code, 2);
     EXPECT_EQ(run_program("asv-bench", {"--from", testcase_file("3ASV.txt")}).exit_code, 3);
 }

@@ -21,9 +21,11 @@
 #include <unistd.h>
 
 #include "io/text/write_all.hpp"
+#include "tools/bench/runs/external_run.hpp"
 #include "tools/bench/runs/machine.hpp"
 #include "tools/bench/runs/process_end.hpp"
 #include "tools/bench/runs/run_bytes.hpp"
+#include "tools/bench/runs/supervised_process.hpp"
 
 namespace asv::tools {
 
@@ -77,23 +79,25 @@ int wait_for(pid_t child, rusage& used) {
     throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// The process ends when its parent does.
-void follow(pid_t parent) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+/// The process gets this signal when its parent ends.
+void follow(pid_t parent, int signal) {
+    ::prctl(PR_SET_PDEATHSIG, signal);
     if (::getppid() != parent) ::_exit(1);
 }
 
 [[noreturn]] void be_run(const core::BenchmarkPlan& plan, const core::RunPlace& place, int out) {
-    limit_memory(plan.memory_limit);
+    const bool external = plan.planners[place.planner].external();
+    if (!external) limit_memory(plan.memory_limit);
     BenchmarkRun run;
     try {
-        run = core::run_once(plan, place);
+        run = external ? run_external(plan, place) : core::run_once(plan, place);
     } catch (const std::bad_alloc&) {
         run.fault = "out of memory";
     } catch (const std::exception& error) {
         run.fault = error.what();
     }
-    run.peak_memory_bytes = peak_memory();
+    // That of another program has been measured from outside.
+    if (!external) run.peak_memory_bytes = peak_memory();
     Packer packer;
     exchange(packer, run);
     // Nothing of the launcher's is to be flushed or undone a second time.
@@ -110,7 +114,10 @@ bool run_and_tell(const core::BenchmarkPlan& plan, const core::RunPlace& place, 
     const pid_t child = ::fork();
     if (child < 0) fail("fork");
     if (child == 0) {
-        follow(launcher);
+        // Who watches over another program has to end it first.
+        const bool external = plan.planners[place.planner].external();
+        if (external) hold_signals_of_supervision();
+        follow(launcher, external ? SIGTERM : SIGKILL);
         be_run(plan, place, ends[1]);
     }
     ::close(ends[1]);
@@ -212,7 +219,7 @@ RunLauncher::Process RunLauncher::start() const {
     const pid_t launcher = ::fork();
     if (launcher < 0) fail("fork");
     if (launcher == 0) {
-        follow(program);
+        follow(program, SIGKILL);
         be_launcher(plan_, ends[1]);
     }
     ::close(ends[1]);

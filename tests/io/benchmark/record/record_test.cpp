@@ -87,6 +87,8 @@ TEST(ParseRuns, SaysWhereSomethingIsWrong) {
     EXPECT_TRUE(
         test::contains(message("\"seed\": 4", "\"seed\": 3"), "a run that is not there already"));
     EXPECT_TRUE(test::contains(message("\"seed\": 4", "\"seed\": 5"), "one of the seeds"));
+    EXPECT_TRUE(test::contains(message("\"obstacle_count\": 1", "\"obstacle_count\": 3000000"),
+                               "expected an integer from 0 to 2000000"));
 }
 
 /// Wherever a process was killed, all lines before that are read.
@@ -100,6 +102,11 @@ TEST(ParseJournal, KeepsTheWholeLinesOfEveryBeginning) {
             whole = size;
             if (size > head) ++whole_runs;
         }
+        // All around the ends of lines, and some of the others.
+        constexpr std::size_t near = 2, some = 101;
+        const bool near_end =
+            text.substr(size < near ? 0 : size - near, 2 * near).find('\n') != std::string::npos;
+        if (!near_end && size % some != 0) continue;
         const std::string_view beginning = std::string_view(text).substr(0, size);
         ASSERT_TRUE(is_journal(beginning));
         const auto journal = parse_journal(beginning, "j");
