@@ -36,7 +36,7 @@ std::string number(double value) {
 
 std::string listed(const std::vector<std::string>& words) {
     std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    for (const std::string& word : words) text.append(text.empty() ? "" : ", ").append(word);
     return text;
 }
 
@@ -46,7 +46,7 @@ std::string external_command(const core::BenchmarkPlan& plan, const core::RunPla
                                "solution.txt", std::to_string(place.seed), number(plan.time_limit)};
     std::string text;
     for (const std::string& word : plan.planners[place.planner].command)
-        text += (text.empty() ? "" : " ") + quoted(fill_in(word, values));
+        text.append(text.empty() ? "" : " ").append(quoted(fill_in(word, values)));
     return text;
 }
 
@@ -84,7 +84,7 @@ BenchmarkSession joined(std::vector<BenchmarkSession> sessions) {
 }
 
 std::string planner_text(const core::BenchmarkPlanner& planner) {
-    if (planner.external()) return "exec " + join_command(planner.command);
+    if (planner.external()) return std::string("exec ").append(join_command(planner.command));
     std::string text{core::name(planner.planner)};
     for (const auto& [key, value] : planner.settings) text += " " + key + "=" + value;
     return text;

@@ -61,7 +61,7 @@ std::vector<std::string> split_command(std::string_view text) {
 
 std::string join_command(const std::vector<std::string>& words) {
     std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : " ") + quoted(word);
+    for (const std::string& word : words) text.append(text.empty() ? "" : " ").append(quoted(word));
     return text;
 }
 

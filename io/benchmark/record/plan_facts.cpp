@@ -30,7 +30,7 @@ Facts limits(const BenchmarkReport& report) {
 
 void list(Facts& facts, const std::string& name, const std::vector<std::string>& words) {
     std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    for (const std::string& word : words) text.append(text.empty() ? "" : ", ").append(word);
     facts.emplace_back(name, text);
 }
 

@@ -47,12 +47,6 @@ json run_of(const std::string& lines) {
     return run;
 }
 
-void expect_end(const std::string& lines, const std::string& status, const std::string& reason) {
-    const json run = run_of(lines);
-    EXPECT_EQ(run["status"], status) << lines;
-    EXPECT_TRUE(contains(run["reason"], reason)) << run["reason"];
-}
-
 /// The same costs as in the process of a run, in both directions and for every body.
 TEST(ExternalPlanner, AsvSolveFindsWhatThePlannerFindsInside) {
     const TemporaryFolder folder;
@@ -81,27 +75,52 @@ TEST(ExternalPlanner, AsvSolveFindsWhatThePlannerFindsInside) {
         }
 }
 
-TEST(ExternalPlanner, EndsAreToldApart) {
-    expect_end("exit 0", "no-path", "it wrote no solution");
-    expect_end("exit 4", "infeasible", "");
-    expect_end("echo first >&2; echo 'broken pipe dream' >&2; exit 3", "crash",
-               "it ended with exit code 3: broken pipe dream");
-    expect_end("exit 1", "crash", "exit code 1");
-    expect_end("kill -SEGV $$", "crash", "it was ended by signal 11");
-    expect_end("sleep 60", "timeout", "beyond the time limit");
-    expect_end("sleep 0.4; exit 1", "timeout", "gave up");
-    expect_end("echo rubbish > $2", "invalid", "solution.txt:1:1: expected");
-    expect_end("mkfifo $2", "invalid", "solution.txt: no file that can be read");
-    // The start alone, as the whole path.
-    expect_end("{ echo 0 0; sed -n 2p $1; } > $2", "invalid", "ends: ");
-}
+/// What the lines of a script lead to.
+struct End {
+    std::string lines, status, reason;
+};
 
-TEST(ExternalPlanner, ASolutionThatIsThereDecides) {
-    const json run = run_of(std::string(ASV_PROGRAM_DIR) +
-                            "/asv-solve $1 $2 --quiet --optimize 0 --time-limit 0.2; exit 7");
-    EXPECT_EQ(run["status"], "solved") << run["reason"];
-    EXPECT_GT(run["cost_lower_bound"], 0);
-    EXPECT_EQ(run["time_to_first_s"], run["time_total_s"]);
+TEST(ExternalPlanner, EndsAreToldApart) {
+    const TemporaryFolder folder;
+    const std::string solution = (folder / "s.txt").string();
+    ASSERT_EQ(run_program("asv-solve", {testcase_file("3ASV.txt"), solution, "--quiet"}).exit_code,
+              0);
+    const std::vector<End> ends{{"exit 0", "no-path", "it wrote no solution"},
+                                {"exit 4", "infeasible", "it says that there is no path"},
+                                {"echo first >&2; echo 'at last' >&2; exit 3", "crash",
+                                 "it ended with exit code 3: at last"},
+                                {"exit 1", "crash", "it ended with exit code 1"},
+                                {"kill -SEGV $$", "crash", "it was ended by signal 11"},
+                                {"sleep 60", "timeout", "it went on beyond the time limit"},
+                                {"sleep 0.4; exit 1", "timeout", "it gave up at the time limit"},
+                                {"echo rubbish > $2", "invalid", "solution.txt:1:1: expected"},
+                                {"mkfifo $2", "invalid", "solution.txt: no file that can be read"},
+                                // The start alone, as the whole path.
+                                {"{ echo 0 0; sed -n 2p $1; } > $2", "invalid", "ends: "},
+                                // A solution that is there decides.
+                                {"cp " + solution + " $2; exit 7", "solved", ""}};
+    const std::string file = (folder / "b.json").string();
+    Words options{"--time-limit", "0.3", "--json", file, "--table", "-"};
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const std::string label = "p" + std::to_string(i);
+        options.insert(options.end(),
+                       {"--planner", label + ": exec " + script(folder, label, ends[i].lines) +
+                                         " {problem} {solution}"});
+    }
+    const Outcome outcome = bench({testcase_file("3ASV.txt")}, options);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json runs = json::parse(io::read_file(file))["runs"];
+    ASSERT_EQ(runs.size(), 2 * ends.size());
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const json& run = runs[2 * i];
+        const std::string reason = run["reason"];
+        EXPECT_EQ(run["status"], ends[i].status) << ends[i].lines;
+        EXPECT_TRUE(reason.starts_with(ends[i].reason)) << reason;
+        const std::string told = "p" + std::to_string(i) + ": " + ends[i].status + " (";
+        EXPECT_NE(contains(outcome.out, told), ends[i].status == "solved") << outcome.out;
+    }
+    EXPECT_GT(runs.back()["cost_lower_bound"], 0);
+    EXPECT_EQ(runs.back()["time_to_first_s"], runs.back()["time_total_s"]);
 }
 
 TEST(ExternalPlanner, NothingOfItIsLeft) {

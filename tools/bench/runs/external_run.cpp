@@ -142,7 +142,8 @@ void judge_failure(const SupervisedEnd& end, std::size_t memory_limit, Benchmark
     if (memory)
         set(run, RunStatus::memory_limit, memory_reason(memory_limit));
     else
-        set(run, RunStatus::crash, with_last_words("it " + how_it_ended(end.status), end));
+        set(run, RunStatus::crash,
+            with_last_words(std::string("it ").append(how_it_ended(end.status)), end));
 }
 
 /// The program has ended by itself, without a solution.

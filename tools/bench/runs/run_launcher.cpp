@@ -173,7 +173,7 @@ BenchmarkRun lost_run(const Ending& ending, std::size_t memory_limit) {
         run.spent.time_total = ending.seconds;
         run.peak_memory_bytes = ending.peak_memory;
     } else {
-        run.fault = "the run " + how_it_ended(ending.status);
+        run.fault.append("the run ").append(how_it_ended(ending.status));
     }
     return run;
 }
