@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -23,6 +24,8 @@ struct BenchmarkProblem {
     std::string name;  ///< what tables call it; no other problem of the plan has it
     std::string file;  ///< where it was read from, for commands that repeat a run
     Problem problem;
+    /// Of its content: two problems with one digest are the same, whatever their files are called.
+    std::string digest = {};
 };
 
 /// A planner with settings of its own.
@@ -30,6 +33,11 @@ struct BenchmarkPlanner {
     std::string label;  ///< what tables call it; no other planner of the plan has it
     Planner planner;
     std::vector<std::pair<std::string, std::string>> settings;  ///< what differs from the default
+    /// Of another program that plans instead, whose runs are not those of run_once(): its words,
+    /// with placeholders. Empty for the planners of this library.
+    std::vector<std::string> command = {};
+
+    bool external() const { return !command.empty(); }
 };
 
 /// The defaults are those of asv-bench.
@@ -47,8 +55,9 @@ struct BenchmarkPlan {
     /// Improvement after the first solution, in seconds of work as in SolveOptions, 0 or more.
     /// None: planners are compared by their first paths.
     double optimize = 0;
-    std::size_t threads = 1;  ///< of each run, 1 or more; one, so that a seed decides the path
-    std::size_t jobs = 1;     ///< runs side by side, 1 or more; one, since more spoil all times
+    std::size_t threads = 1;       ///< of each run, 1 or more; one, so that a seed decides the path
+    std::size_t memory_limit = 0;  ///< megabytes (2^20 bytes) for each run; 0 for no limit
+    std::size_t jobs = 1;  ///< runs side by side, 1 or more; one, since more spoil all times
 };
 
 /// Which one of the runs of a plan: indices into it.
@@ -57,6 +66,8 @@ struct RunPlace {
     std::size_t planner = 0;
     Direction direction = Direction::forward;
     std::uint64_t seed = 1;
+
+    friend auto operator<=>(const RunPlace&, const RunPlace&) = default;
 };
 
 /// All runs by problem, direction, planner and seed: the order in which they are told.

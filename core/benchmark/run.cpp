@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <stop_token>
 #include <tuple>
+#include <utility>
 
 #include "core/solve/stages/in_threads.hpp"
 #include "core/validation/validate.hpp"
@@ -26,7 +27,7 @@ auto run_order(const RunPlace& place) {
 void require_runnable(const BenchmarkPlan& plan) {
     for (const BenchmarkProblem& problem : plan.problems) {
         for (const BenchmarkPlanner& planner : plan.planners)
-            require_usable(planner.planner, problem.problem.body_kind());
+            if (!planner.external()) require_usable(planner.planner, problem.problem.body_kind());
         if (const auto invalid = invalid_ends(problem.problem); !invalid.empty())
             throw std::invalid_argument(problem.name + ": " + (invalid[0].goal ? "goal" : "start") +
                                         " is not valid: " + invalid[0].reason);
@@ -36,8 +37,8 @@ void require_runnable(const BenchmarkPlan& plan) {
 /// The runs that are still to do, shared by the jobs.
 class Queue {
   public:
-    Queue(const BenchmarkPlan& plan, const BenchmarkWatch& watch)
-        : plan_(plan), watch_(watch), places_(places(plan)) {
+    Queue(const BenchmarkPlan& plan, std::vector<RunPlace> which, const BenchmarkWatch& watch)
+        : plan_(plan), watch_(watch), places_(std::move(which)) {
         std::stable_sort(places_.begin(), places_.end(), [](const RunPlace& a, const RunPlace& b) {
             return run_order(a) < run_order(b);
         });
@@ -57,9 +58,7 @@ class Queue {
 
     std::vector<BenchmarkRun> results() {
         if (failure_) std::rethrow_exception(failure_);
-        std::sort(runs_.begin(), runs_.end(), [](const BenchmarkRun& a, const BenchmarkRun& b) {
-            return told_order(a.place) < told_order(b.place);
-        });
+        sort_as_told(runs_);
         return std::move(runs_);
     }
 
@@ -94,6 +93,42 @@ class Queue {
 
 }  // namespace
 
+std::string_view name(RunStatus status) {
+    switch (status) {
+        case RunStatus::solved:
+            return "solved";
+        case RunStatus::timeout:
+            return "timeout";
+        case RunStatus::infeasible:
+            return "infeasible";
+        case RunStatus::interrupted:
+            return "interrupted";
+        case RunStatus::no_path:
+            return "no-path";
+        case RunStatus::memory_limit:
+            return "memory-limit";
+        case RunStatus::crash:
+            return "crash";
+        case RunStatus::invalid:
+            return "invalid";
+    }
+    return "unknown";
+}
+
+RunStatus run_status(SolveStatus status) {
+    switch (status) {
+        case SolveStatus::solved:
+            return RunStatus::solved;
+        case SolveStatus::timeout:
+            return RunStatus::timeout;
+        case SolveStatus::infeasible:
+            return RunStatus::infeasible;
+        case SolveStatus::interrupted:
+            return RunStatus::interrupted;
+    }
+    throw std::logic_error("a status that solve() does not have");
+}
+
 BenchmarkRun run_once(const BenchmarkPlan& plan, const RunPlace& place,
                       const std::stop_token& abort) {
     BenchmarkRun run;
@@ -103,7 +138,7 @@ BenchmarkRun run_once(const BenchmarkPlan& plan, const RunPlace& place,
     options.stop = abort;
     try {
         const SolveResult result = solve(problem, options);
-        run.status = result.status;
+        run.status = run_status(result.status);
         run.reason = result.reason;
         run.spent = result.statistics;
         if (result.solution) {
@@ -119,10 +154,21 @@ BenchmarkRun run_once(const BenchmarkPlan& plan, const RunPlace& place,
 }
 
 std::vector<BenchmarkRun> run_benchmark(const BenchmarkPlan& plan, const BenchmarkWatch& watch) {
+    return run_benchmark(plan, places(plan), watch);
+}
+
+std::vector<BenchmarkRun> run_benchmark(const BenchmarkPlan& plan, std::vector<RunPlace> which,
+                                        const BenchmarkWatch& watch) {
     require_runnable(plan);
-    Queue queue(plan, watch);
+    Queue queue(plan, std::move(which), watch);
     in_threads(plan.jobs, std::stop_source(), [&queue](std::size_t /*job*/) { queue.work(); });
     return queue.results();
+}
+
+void sort_as_told(std::vector<BenchmarkRun>& runs) {
+    std::sort(runs.begin(), runs.end(), [](const BenchmarkRun& a, const BenchmarkRun& b) {
+        return told_order(a.place) < told_order(b.place);
+    });
 }
 
 std::string fault_of(const Problem& problem, const Solution& solution) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/benchmark/plan.hpp"
@@ -13,21 +15,42 @@
 
 namespace asv::core {
 
+/// How a run ended: what solve() tells, and what only the keeper of its process sees.
+enum class RunStatus {
+    solved,
+    timeout,
+    infeasible,
+    interrupted,
+    no_path,       ///< it gave up before its time was over
+    memory_limit,  ///< it wanted more memory than it may have
+    crash,         ///< a signal ended it, or it ended in error
+    invalid        ///< its path violates a requirement
+};
+
+inline constexpr std::array all_run_statuses{
+    RunStatus::solved,  RunStatus::timeout,      RunStatus::infeasible, RunStatus::interrupted,
+    RunStatus::no_path, RunStatus::memory_limit, RunStatus::crash,      RunStatus::invalid};
+
+/// "solved", "timeout", "no-path", ...
+std::string_view name(RunStatus status);
+
+RunStatus run_status(SolveStatus status);
+
 /// One run and its outcome.
 struct BenchmarkRun {
     RunPlace place;
-    SolveStatus status = SolveStatus::timeout;
+    RunStatus status = RunStatus::timeout;
     std::string reason;  ///< why there is no solution; empty when solved
     SolveStatistics spent;
     std::size_t primitive_steps = 0;
     std::optional<std::size_t> peak_memory_bytes;  ///< of its process, where it has one of its own
     std::string fault;  ///< a bug: what was thrown, or what is wrong with the solution
 
-    bool solved() const { return status == SolveStatus::solved && fault.empty(); }
+    bool solved() const { return status == RunStatus::solved && fault.empty(); }
 };
 
 /// One run of the plan: solve(), then fault_of() what it found. Whatever solve() throws, but lack
-/// of memory, is a fault of the run.
+/// of memory, is a fault of the run. Precondition: the planner is not external.
 BenchmarkRun run_once(const BenchmarkPlan& plan, const RunPlace& place,
                       const std::stop_token& abort = {});
 
@@ -50,6 +73,13 @@ struct BenchmarkWatch {
 /// solve() does, before anything has run.
 std::vector<BenchmarkRun> run_benchmark(const BenchmarkPlan& plan,
                                         const BenchmarkWatch& watch = {});
+
+/// The same for these places of the plan alone.
+std::vector<BenchmarkRun> run_benchmark(const BenchmarkPlan& plan, std::vector<RunPlace> which,
+                                        const BenchmarkWatch& watch = {});
+
+/// Sorts the runs as they are told: by problem, direction, planner and seed.
+void sort_as_told(std::vector<BenchmarkRun>& runs);
 
 /// What the continuous check says against the solution; empty for a valid one.
 std::string fault_of(const Problem& problem, const Solution& solution);

@@ -10,22 +10,31 @@ namespace {
 
 using core::BenchmarkRun;
 
-constexpr std::array<std::string_view, 10> words{"Unknown status", "Invalid start",
-                                                 "Invalid goal",   "Unrecognized goal type",
-                                                 "Timeout",        "Approximate solution",
-                                                 "Exact solution", "Crash",
-                                                 "Abort",          "Infeasible"};
+/// Those of OMPL, then what only we tell.
+constexpr std::array<std::string_view, 13> words{
+    "Unknown status",  "Invalid start",        "Invalid goal",   "Unrecognized goal type",
+    "Timeout",         "Approximate solution", "Exact solution", "Crash",
+    "Abort",           "Infeasible",           "No path",        "Memory limit",
+    "Invalid solution"};
 
 std::int64_t status_value(const BenchmarkRun& run) {
     switch (run.status) {
-        case core::SolveStatus::timeout:
+        case core::RunStatus::timeout:
             return 4;
-        case core::SolveStatus::solved:
+        case core::RunStatus::solved:
             return 6;
-        case core::SolveStatus::interrupted:
+        case core::RunStatus::crash:
+            return 7;
+        case core::RunStatus::interrupted:
             return 8;
-        case core::SolveStatus::infeasible:
+        case core::RunStatus::infeasible:
             return 9;
+        case core::RunStatus::no_path:
+            return 10;
+        case core::RunStatus::memory_limit:
+            return 11;
+        case core::RunStatus::invalid:
+            return 12;
     }
     return 0;
 }
@@ -166,6 +175,7 @@ std::string setup_text(const BenchmarkReport& report, const Experiment& experime
 }
 
 std::vector<std::string> setting_lines(const core::BenchmarkPlanner& planner) {
+    if (planner.external()) return {"planner = " + planner_text(planner)};
     std::vector<std::string> lines{"planner = " + std::string(core::name(planner.planner))};
     core::Planner copy = planner.planner;
     for (const core::Setting& setting : core::settings(copy))

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include "io/benchmark/record/command_words.hpp"
 #include "io/text/number_text.hpp"
 
 namespace asv::io {
@@ -33,9 +34,57 @@ std::string number(double value) {
     return text;
 }
 
+std::string listed(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text.append(text.empty() ? "" : ", ").append(word);
+    return text;
+}
+
+std::string external_command(const core::BenchmarkPlan& plan, const core::RunPlace& place) {
+    const bool reversed = place.direction == core::Direction::reversed;
+    const CommandValues values{reversed ? "reversed.txt" : plan.problems[place.problem].file,
+                               "solution.txt", std::to_string(place.seed), number(plan.time_limit)};
+    std::string text;
+    for (const std::string& word : plan.planners[place.planner].command)
+        text.append(text.empty() ? "" : " ").append(quoted(fill_in(word, values)));
+    return text;
+}
+
 }  // namespace
 
+BenchmarkSession joined(std::vector<BenchmarkSession> sessions) {
+    std::vector<BenchmarkSession> parts;
+    for (BenchmarkSession& session : sessions) {
+        if (session.parts.empty())
+            parts.push_back(std::move(session));
+        else
+            parts.insert(parts.end(), session.parts.begin(), session.parts.end());
+    }
+    BenchmarkSession whole = parts.front();
+    if (parts.size() == 1) return whole;
+    whole.total = whole.unit_before = whole.unit_after = 0;
+    std::vector<std::string> hosts, cpus;
+    const auto add = [](std::vector<std::string>& names, const std::string& name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    const auto count = static_cast<double>(parts.size());
+    for (const BenchmarkSession& part : parts) {
+        add(hosts, part.host);
+        add(cpus, part.cpu);
+        whole.processors = std::max(whole.processors, part.processors);
+        whole.started = std::min(whole.started, part.started);
+        whole.total += part.total;
+        whole.unit_before += part.unit_before / count;
+        whole.unit_after += part.unit_after / count;
+    }
+    whole.host = listed(hosts);
+    whole.cpu = listed(cpus);
+    whole.parts = std::move(parts);
+    return whole;
+}
+
 std::string planner_text(const core::BenchmarkPlanner& planner) {
+    if (planner.external()) return std::string("exec ").append(join_command(planner.command));
     std::string text{core::name(planner.planner)};
     for (const auto& [key, value] : planner.settings) text += " " + key + "=" + value;
     return text;
@@ -43,6 +92,7 @@ std::string planner_text(const core::BenchmarkPlanner& planner) {
 
 std::string solve_command(const core::BenchmarkPlan& plan, const core::RunPlace& place) {
     const core::BenchmarkPlanner& planner = plan.planners[place.planner];
+    if (planner.external()) return external_command(plan, place);
     std::string text = "asv-solve " + quoted(plan.problems[place.problem].file) + " solution.txt" +
                        " --planner " + std::string(core::name(planner.planner));
     for (const auto& [key, value] : planner.settings) text += " --set " + quoted(key + "=" + value);

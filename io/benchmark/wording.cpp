@@ -1,6 +1,7 @@
 #include "io/benchmark/wording.hpp"
 
-#include "io/benchmark/report.hpp"
+#include <algorithm>
+
 #include "io/text/number_text.hpp"
 
 namespace asv::io {
@@ -46,7 +47,19 @@ std::string problem_facts(const core::Problem& problem, double lower_bound) {
 
 std::string plan_facts(const core::BenchmarkPlan& plan) {
     return seeds_text(plan) + ", time limit " + seconds_text(plan.time_limit) + ", optimize " +
-           seconds_text(plan.optimize) + ", " + plural(plan.threads, "thread");
+           seconds_text(plan.optimize) + ", " + plural(plan.threads, "thread") +
+           (plan.memory_limit == 0 ? std::string()
+                                   : ", memory limit " + std::to_string(plan.memory_limit) + " MB");
+}
+
+std::string sessions_note(const BenchmarkSession& session) {
+    const auto& parts = session.parts;
+    if (parts.empty()) return {};
+    const bool several_machines = std::any_of(parts.begin(), parts.end(), [&](const auto& part) {
+        return part.host != parts[0].host || part.cpu != parts[0].cpu;
+    });
+    return " Runs of " + plural(parts.size(), "session") +
+           (several_machines ? " on several machines: their times do not compare." : ".");
 }
 
 std::string spoilt_note(const core::BenchmarkPlan& plan) {

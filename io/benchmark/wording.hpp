@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/benchmark/plan.hpp"
+#include "io/benchmark/report.hpp"
 
 /// Phrases that several outputs of a benchmark share.
 
@@ -20,5 +21,9 @@ std::string plan_facts(const core::BenchmarkPlan& plan);
 
 /// "3 runs side by side: their times are spoilt."; empty where each run had the machine to itself.
 std::string spoilt_note(const core::BenchmarkPlan& plan);
+
+/// " Runs of 2 sessions.", and what that means for their times where machines differ; empty for
+/// runs of one session.
+std::string sessions_note(const BenchmarkSession& session);
 
 }  // namespace asv::io

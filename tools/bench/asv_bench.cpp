@@ -1,114 +1,25 @@
-#include <algorithm>
-#include <chrono>
 #include <filesystem>
-#include <functional>
 #include <iostream>
-#include <limits>
-#include <map>
 #include <string>
-#include <thread>
 #include <utility>
-#include <vector>
 
-#include "core/benchmark/machine_unit.hpp"
-#include "core/benchmark/run.hpp"
+#include "tools/bench/bench_arguments.hpp"
 #include "tools/bench/bench_outputs.hpp"
 #include "tools/bench/bench_plan.hpp"
-#include "tools/bench/machine.hpp"
-#include "tools/bench/run_launcher.hpp"
-#include "tools/bench/run_progress.hpp"
+#include "tools/bench/bench_task.hpp"
+#include "tools/bench/runs/sweep.hpp"
 #include "tools/common/command_line.hpp"
-#include "tools/common/interrupt.hpp"
-#include "tools/common/number_options.hpp"
-#include "tools/common/reading.hpp"
 
 namespace {
 
 namespace core = asv::core;
 namespace io = asv::io;
+using asv::tools::BenchArguments;
+using asv::tools::BenchTask;
 using asv::tools::CommandLine;
 using asv::tools::ExitCode;
-using asv::tools::RunProgress;
-using asv::tools::UsageError;
-using std::filesystem::path;
-
-struct Arguments {
-    std::vector<std::string> problems;
-    std::vector<std::string> planners = {"auto"};
-    std::string direction = "forward";
-    asv::tools::BenchOutputs outputs;
-    core::BenchmarkPlan plan;
-    io::ReadOptions reading;
-};
-
-constexpr std::uint64_t max_seeds = 1'000'000;
-
-void add_plan_options(CLI::App& app, Arguments& arguments) {
-    core::BenchmarkPlan& plan = arguments.plan;
-    app.add_option("PROBLEMS", arguments.problems,
-                   "Problem files and scenarios; - for standard input")
-        ->type_name(asv::tools::problem_file)
-        ->required();
-    asv::tools::add_reading_options(app, arguments.reading);
-    app.add_option("--planner", arguments.planners,
-                   "\"[LABEL:] NAME [KEY=VALUE]...\": a planner with settings, see asv-solve "
-                   "--list-planners; \"all\" for every planner; may be repeated")
-        ->type_name("PLANNER|all")
-        ->allow_extra_args(false)
-        ->capture_default_str();
-    app.add_option("--seeds", plan.seeds, "Runs of each planner on each problem in each direction")
-        ->transform(asv::tools::whole_number(1, max_seeds))
-        ->capture_default_str();
-    app.add_option("--first-seed", plan.first_seed, "The first seed; the others follow it")
-        ->transform(
-            asv::tools::whole_number(0, std::numeric_limits<std::uint64_t>::max() - max_seeds))
-        ->capture_default_str();
-    app.add_option("--direction", arguments.direction, "forward, reversed (goal to start) or both")
-        ->check(CLI::IsMember({"forward", "reversed", "both"}))
-        ->capture_default_str();
-    app.add_option("--time-limit", plan.time_limit, "Seconds of wall clock for each run")
-        ->transform(asv::tools::number_from(0))
-        ->capture_default_str();
-    app.add_option("--optimize", plan.optimize,
-                   "Improvement after the first path, in seconds of work, as in asv-solve")
-        ->transform(asv::tools::number_from(0))
-        ->capture_default_str();
-    app.add_option("--threads", plan.threads, "Threads of each run")
-        ->transform(asv::tools::whole_number(1, asv::tools::max_threads))
-        ->capture_default_str();
-    app.add_option("--jobs", plan.jobs,
-                   "Runs side by side: sooner done, but their times are spoilt")
-        ->transform(asv::tools::whole_number(1, asv::tools::max_threads))
-        ->capture_default_str();
-}
-
-void complete_plan(Arguments& arguments) {
-    core::BenchmarkPlan& plan = arguments.plan;
-    plan.planners = asv::tools::parse_planners(arguments.planners);
-    plan.directions.clear();
-    if (arguments.direction != "reversed") plan.directions.push_back(core::Direction::forward);
-    if (arguments.direction != "forward") plan.directions.push_back(core::Direction::reversed);
-}
-
-struct Runs {
-    std::vector<core::BenchmarkRun> done;
-    bool interrupted = false;
-};
-
-Runs run_all(core::BenchmarkPlan& plan, bool quiet) {
-    asv::tools::RunLauncher launcher(plan);
-    plan.jobs = launcher.jobs();
-    const asv::tools::InterruptWatch interrupt;
-    RunProgress progress(plan, !quiet);
-    core::BenchmarkWatch watch;
-    watch.before = [&](const core::RunPlace& place) { progress.begin(place); };
-    watch.after = [&](const core::BenchmarkRun&) { progress.end(); };
-    watch.perform = [&](const core::BenchmarkPlan&, const core::RunPlace& place,
-                        const std::stop_token& abort) { return launcher.run(place, abort); };
-    watch.abort = interrupt.token();
-    std::vector<core::BenchmarkRun> done = core::run_benchmark(plan, watch);
-    return {std::move(done), watch.abort.stop_requested()};
-}
+using asv::tools::FileRoles;
+using asv::tools::SweepEnd;
 
 /// Reports a run that must not be: its message and the command that repeats it.
 ExitCode report_fault(const core::BenchmarkPlan& plan, const core::BenchmarkRun& run) {
@@ -117,45 +28,45 @@ ExitCode report_fault(const core::BenchmarkPlan& plan, const core::BenchmarkRun&
     return ExitCode::internal;
 }
 
-ExitCode bench(const CommandLine& command_line, Arguments& arguments) {
-    complete_plan(arguments);
-    complete(arguments.outputs);
-    asv::tools::FileRoles roles;
+ExitCode run_and_write(const CommandLine& command_line, const BenchArguments& arguments,
+                       BenchTask& task) {
+    SweepEnd end;
+    if (!task.missing.empty())
+        end = run_sweep(task.report, std::move(task.missing), std::move(task.earlier),
+                        task.journal ? &*task.journal : nullptr, command_line.quiet());
+    if (end.fault) return report_fault(task.report.plan, *end.fault);
+    if (task.report.runs.empty()) {
+        std::cerr << "asv-bench: "
+                  << (end.interrupted ? "interrupted before a run had ended" : "there are no runs")
+                  << "; nothing was written\n";
+        return end.interrupted ? ExitCode::interrupted : ExitCode::bad_input;
+    }
+    write_results(arguments.outputs, task.report, end.interrupted);
+    return ExitCode::done;
+}
+
+ExitCode bench(const CommandLine& command_line, BenchArguments& arguments) {
+    complete(arguments);
+    FileRoles roles;
     for (const std::string& file : arguments.problems) roles.add_input("PROBLEM", file);
+    for (const std::string& file : arguments.from) roles.add_input("--from", file);
+    roles.add_output("--resume", arguments.resume);
     add_roles(arguments.outputs, roles);
     roles.require_distinct();
-    core::BenchmarkPlan& plan = arguments.plan;
-    if (!asv::tools::read_problems(command_line, arguments.problems, arguments.reading, roles,
-                                   plan.problems))
-        return ExitCode::bad_input;
-    for (const path& file : asv::tools::log_files(plan, arguments.outputs.ompl_log))
+    BenchTask task;
+    if (!prepare(command_line, arguments, roles, task)) return ExitCode::bad_input;
+    const core::BenchmarkPlan& plan = task.report.plan;
+    for (const std::filesystem::path& file :
+         asv::tools::log_files(plan, arguments.outputs.ompl_log))
         roles.add_output("--ompl-log", file);
     roles.require_distinct();
-    asv::tools::require_usable(plan);
-    asv::tools::warn_of_idle_settings(command_line, plan);
-    require_places(arguments.outputs);
-
-    io::BenchmarkReport report;
-    report.session = {ASV_VERSION, asv::tools::host_name(), asv::tools::cpu_name(),
-                      std::thread::hardware_concurrency(), std::chrono::system_clock::now()};
-    const auto begun = core::Clock::now();
-    report.session.unit_before = core::seconds_per_million_checks();
-    Runs runs = run_all(plan, command_line.quiet());
-    report.runs = std::move(runs.done);
-    for (const core::BenchmarkRun& run : report.runs)
-        if (!run.fault.empty()) return report_fault(plan, run);
-    if (report.runs.empty()) {
-        std::cerr << "asv-bench: interrupted before a run had ended; nothing was written\n";
-        return ExitCode::interrupted;
+    if (!task.missing.empty()) {
+        asv::tools::require_usable(plan);
+        asv::tools::warn_of_idle_settings(command_line, plan);
     }
-    // Who has interrupted the runs does not want to wait for another measurement.
-    report.session.unit_after =
-        runs.interrupted ? report.session.unit_before : core::seconds_per_million_checks();
-    report.session.total = std::chrono::duration<double>(core::Clock::now() - begun).count();
-    report.plan = std::move(plan);
-
-    write_results(arguments.outputs, report, runs.interrupted);
-    return ExitCode::done;
+    require_places(arguments.outputs);
+    resume(arguments, task);
+    return run_and_write(command_line, arguments, task);
 }
 
 }  // namespace
@@ -171,9 +82,8 @@ int main(int argc, char** argv) try {
         "written.",
         "asv-bench testcases/3ASV.txt testcases/7ASV.txt --planner auto --planner \"swaps: "
         "rrt-connect swap-limiter=on\" --direction both --csv runs.csv");
-    Arguments arguments;
-    add_plan_options(command_line.options(), arguments);
-    add_output_options(command_line.options(), arguments.outputs);
+    BenchArguments arguments;
+    add_options(command_line.options(), arguments);
     return command_line.run(argc, argv, [&] { return bench(command_line, arguments); });
 } catch (...) {
     return asv::tools::report_failed_start("asv-bench");

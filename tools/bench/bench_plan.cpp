@@ -9,10 +9,13 @@
 
 #include "core/solve/idle_settings.hpp"
 #include "io/benchmark/ompl_log.hpp"
+#include "io/benchmark/record/command_words.hpp"
+#include "io/benchmark/record/problem_digest.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/escape.hpp"
 #include "io/text/parse_error.hpp"
+#include "tools/bench/runs/supervised_process.hpp"
 
 namespace asv::tools {
 
@@ -36,6 +39,51 @@ void set_one(core::BenchmarkPlanner& planner, const std::string& setting) {
     planner.settings.emplace_back(key, value);
 }
 
+constexpr std::string_view exec_word = "exec ";
+
+/// Where "exec " stands in "[LABEL:] exec COMMAND"; npos for any other planner.
+std::size_t begin_of_exec(const std::string& text) {
+    std::size_t begin = 0;
+    while (true) {
+        begin = text.find_first_not_of(' ', begin);
+        if (begin == std::string::npos) return begin;
+        if (text.compare(begin, exec_word.size(), exec_word) == 0) return begin;
+        const std::size_t colon = text.find(':', begin);
+        if (colon == std::string::npos) return colon;
+        begin = colon + 1;
+    }
+}
+
+/// Throws std::invalid_argument unless the command can be run and come to something.
+void require_runnable(const std::vector<std::string>& command) {
+    // What is filled in is told by what it is filled with.
+    const std::string problem(1, '\1'), solution(1, '\2');
+    std::string all;
+    for (const std::string& word : command) all += io::fill_in(word, {problem, solution, "", ""});
+    if (all.find(problem) == std::string::npos)
+        throw std::invalid_argument("{problem} does not stand in it");
+    if (all.find(solution) == std::string::npos)
+        throw std::invalid_argument("{solution} does not stand in it");
+    if (!is_program(command[0]))
+        throw std::invalid_argument("there is no program '" + command[0] + "' that can be run");
+}
+
+core::BenchmarkPlanner parse_external(const std::string& text, std::size_t exec) {
+    core::BenchmarkPlanner planner;
+    try {
+        planner.command = io::split_command(text.substr(exec + exec_word.size()));
+        if (planner.command.empty()) throw std::invalid_argument("there is no command");
+        require_runnable(planner.command);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError("--planner " + text + ": " + error.what());
+    }
+    const std::size_t colon = exec == 0 ? std::string::npos : text.rfind(':', exec - 1);
+    planner.label =
+        colon == std::string::npos ? io::planner_text(planner) : tidied(text.substr(0, colon));
+    if (planner.label.empty()) planner.label = io::planner_text(planner);
+    return planner;
+}
+
 /// True when the problem can be run; tells why where it cannot.
 bool accept(const std::string& file, const io::ProblemFile& read) {
     const auto invalid = core::invalid_ends(read.problem);
@@ -53,6 +101,8 @@ core::BenchmarkPlanner parse_planner(const std::string& given) {
     if (std::any_of(text.begin(), text.end(),
                     [](char c) { return static_cast<unsigned char>(c) < ' '; }))
         throw UsageError("--planner: there is a control character in it");
+    if (const std::size_t exec = begin_of_exec(given); exec != std::string::npos)
+        return parse_external(given, exec);
     const std::size_t colon = text.rfind(':');
     const std::string call = colon == std::string::npos ? text : text.substr(colon + 1);
     core::BenchmarkPlanner planner;
@@ -112,7 +162,8 @@ bool read_problems(const CommandLine& command_line, const std::vector<std::strin
             command_line.print(read.warnings);
             roles.add_maps(read);
             all_good = accept(files[i], read) && all_good;
-            problems.push_back({names[i], files[i], std::move(read.problem)});
+            const std::string digest = io::problem_digest(read.problem);
+            problems.push_back({names[i], files[i], std::move(read.problem), digest});
         } catch (const io::ParseError& error) {
             std::cerr << error.what() << '\n';
             all_good = false;
@@ -145,6 +196,7 @@ std::vector<std::filesystem::path> log_files(const core::BenchmarkPlan& plan,
 void require_usable(const core::BenchmarkPlan& plan) {
     for (const core::BenchmarkProblem& problem : plan.problems)
         for (const core::BenchmarkPlanner& planner : plan.planners) try {
+                if (planner.external()) continue;
                 core::require_usable(planner.planner, problem.problem.body_kind());
             } catch (const std::invalid_argument& error) {
                 throw UsageError(problem.name + ", " + planner.label + ": " + error.what());

@@ -59,19 +59,26 @@ Words view() {
 }
 
 Words bench() {
-    return {"run planners on problems with many seeds and tell how it went",
-            {"Times of different machines are compared in a unit u, the time of a million plain "
-             "state checks in the same session."},
-            {problem_file,
-             {"Outputs",
-              "Tables in Markdown or LaTeX, CSV, JSON, plots, logs of OMPL's benchmarks, and an "
-              "SQLite database for Planner Arena."}},
-            {{"asv-bench testcases/3ASV.txt --planner auto --planner rrt --seeds 20",
-              "Compares two planners and prints a table."},
-             {"asv-bench testcases/3ASV.txt --planner \"swaps: rrt-connect swap-limiter=on\"",
-              "Runs a planner with a setting under a name of its own."},
-             {"asv-bench testcases/*.txt --planner all --csv runs.csv --plot runs.svg",
-              "Runs all planners on many problems."}}};
+    return {
+        "run planners on problems with many seeds and tell how it went",
+        {"Times of different machines are compared in a unit u, the time of a million plain "
+         "state checks in the same session."},
+        {problem_file,
+         {"Outputs",
+          "Tables in Markdown or LaTeX, CSV, JSON, plots, logs of OMPL's benchmarks, and an "
+          "SQLite database for Planner Arena."}},
+        {{"asv-bench testcases/3ASV.txt --planner auto --planner rrt --seeds 20",
+          "Compares two planners and prints a table."},
+         {"asv-bench testcases/3ASV.txt --planner \"swaps: rrt-connect swap-limiter=on\"",
+          "Runs a planner with a setting under a name of its own."},
+         {"asv-bench testcases/3ASV.txt --planner \"mine: exec ./my-planner {problem} {solution}\"",
+          "Runs another program, and checks what it writes."},
+         {"asv-bench testcases/*.txt --planner all --csv runs.csv --plot runs.svg",
+          "Runs all planners on many problems."},
+         {"asv-bench testcases/*.txt --resume sweep.jsonl --csv runs.csv",
+          "Runs a sweep that, once killed, goes on when the same is typed again."},
+         {"asv-bench --from monday.json --from tuesday.json --plot both.svg",
+          "Puts runs of two benchmarks together, and runs nothing."}}};
 }
 
 Words generate() {

@@ -22,6 +22,7 @@ std::string session_note(const BenchmarkReport& report) {
                        " UTC, " + session.host + " (" + session.cpu + ", " +
                        plural(session.processors, "processor") + "). " + plan_facts(plan) + ".";
     if (const std::string spoilt = spoilt_note(plan); !spoilt.empty()) text += " " + spoilt;
+    text += sessions_note(session);
     if (!report.complete())
         text += " Interrupted: " + std::to_string(report.runs.size()) + " of " +
                 std::to_string(core::run_count(plan)) + " runs.";

@@ -141,6 +141,17 @@ std::int64_t JsonDocument::integer(const Pointer& at, std::int64_t low, std::int
     return integer(has(at) ? root_.at(at) : Json(), at, low, high);
 }
 
+std::uint64_t JsonDocument::count(const Pointer& at) const {
+    if (!has(at) || !root_.at(at).is_number_unsigned())
+        fail(at, "a whole number from 0 to 18446744073709551615");
+    return root_.at(at).get<std::uint64_t>();
+}
+
+bool JsonDocument::boolean(const Pointer& at) const {
+    if (!has(at) || !root_.at(at).is_boolean()) fail(at, "true or false");
+    return root_.at(at).get<bool>();
+}
+
 std::int64_t JsonDocument::integer(const Json& value, const Pointer& at, std::int64_t low,
                                    std::int64_t high) const {
     if (!is_in(value, low, high)) {

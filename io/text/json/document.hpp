@@ -51,6 +51,9 @@ class JsonDocument {
     double number(const Pointer& at) const;
     double number(const Pointer& at, double low, double high) const;
     std::int64_t integer(const Pointer& at, std::int64_t low, std::int64_t high) const;
+    /// Any whole number that is not negative, to 2^64 - 1.
+    std::uint64_t count(const Pointer& at) const;
+    bool boolean(const Pointer& at) const;
 
     /// The same for a value that is at hand, which spares looking it up.
     std::int64_t integer(const Json& value, const Pointer& at, std::int64_t low,

@@ -19,7 +19,7 @@ BenchmarkRun solved(std::size_t problem, std::size_t planner, std::uint64_t seed
                     double cost) {
     BenchmarkRun run;
     run.place = {problem, planner, Direction::forward, seed};
-    run.status = SolveStatus::solved;
+    run.status = RunStatus::solved;
     run.spent.time_to_first = time;
     run.spent.cost = cost;
     return run;
@@ -28,7 +28,7 @@ BenchmarkRun solved(std::size_t problem, std::size_t planner, std::uint64_t seed
 BenchmarkRun unsolved(std::size_t problem, std::size_t planner, std::uint64_t seed) {
     BenchmarkRun run;
     run.place = {problem, planner, Direction::forward, seed};
-    run.status = SolveStatus::timeout;
+    run.status = RunStatus::timeout;
     return run;
 }
 

@@ -14,7 +14,7 @@ using statistics::CensoredValue;
 BenchmarkRun run_of(std::size_t problem, std::size_t planner, std::optional<double> time) {
     BenchmarkRun run;
     run.place = {problem, planner, Direction::forward, 1};
-    run.status = time ? SolveStatus::solved : SolveStatus::timeout;
+    run.status = time ? RunStatus::solved : RunStatus::timeout;
     run.spent.time_to_first = time.value_or(0);
     return run;
 }
@@ -54,7 +54,7 @@ TEST(PerformanceProfiles, TakeTheMedianOfAllRuns) {
 
 TEST(CostOverTime, IsThatOfTheBestPathsSoFar) {
     std::vector<BenchmarkRun> runs(3);
-    for (BenchmarkRun& run : runs) run.status = SolveStatus::solved;
+    for (BenchmarkRun& run : runs) run.status = RunStatus::solved;
     runs[0].spent.cost_history = {{1, 10}, {3, 6}};
     runs[1].spent.cost_history = {{2, 8}};
     runs[2].spent.cost_history = {{4, 20}, {4, 12}};

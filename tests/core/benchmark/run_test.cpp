@@ -74,6 +74,23 @@ TEST(RunBenchmark, EachRunIsThatOfTheFacade) {
     }
 }
 
+TEST(RunBenchmark, RunsTheChosenPlacesAlone) {
+    const BenchmarkPlan plan = small_plan();
+    const std::vector<RunPlace> chosen{{1, 1, Direction::reversed, 6},
+                                       {0, 1, Direction::forward, 5}};
+    const auto runs = run_benchmark(plan, chosen);
+    ASSERT_EQ(runs.size(), 2U);
+    EXPECT_EQ(runs[0].place, chosen[1]);
+    EXPECT_EQ(runs[1].place, chosen[0]);
+}
+
+TEST(RunStatus, EachHasAName) {
+    std::set<std::string_view> names;
+    for (const RunStatus status : all_run_statuses) names.insert(name(status));
+    EXPECT_EQ(names.size(), all_run_statuses.size());
+    EXPECT_FALSE(names.contains("unknown"));
+}
+
 TEST(RunBenchmark, SideBySideTheWorkIsTheSame) {
     BenchmarkPlan plan = small_plan();
     const auto one = run_benchmark(plan);
@@ -121,7 +138,7 @@ TEST(RunBenchmark, AnUnsolvedRunIsAResult) {
     plan.time_limit = 0;
     for (const BenchmarkRun& run : run_benchmark(plan)) {
         EXPECT_FALSE(run.solved());
-        EXPECT_EQ(run.status, SolveStatus::timeout);
+        EXPECT_EQ(run.status, RunStatus::timeout);
         EXPECT_FALSE(run.reason.empty());
         EXPECT_TRUE(run.fault.empty());
     }

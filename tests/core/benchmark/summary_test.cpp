@@ -5,8 +5,7 @@
 namespace asv::core {
 namespace {
 
-BenchmarkRun run_of(std::uint64_t seed, SolveStatus status, double time, double cost,
-                    double bound) {
+BenchmarkRun run_of(std::uint64_t seed, RunStatus status, double time, double cost, double bound) {
     BenchmarkRun run;
     run.place.seed = seed;
     run.status = status;
@@ -27,9 +26,9 @@ BenchmarkPlan one_problem_two_planners() {
 }
 
 TEST(Summarise, CostsAndWorkAreOfSolvedRunsAlone) {
-    const std::vector<BenchmarkRun> runs{run_of(1, SolveStatus::solved, 1, 6, 4),
-                                         run_of(2, SolveStatus::timeout, 100, 0, 0),
-                                         run_of(3, SolveStatus::solved, 3, 8, 4)};
+    const std::vector<BenchmarkRun> runs{run_of(1, RunStatus::solved, 1, 6, 4),
+                                         run_of(2, RunStatus::timeout, 100, 0, 0),
+                                         run_of(3, RunStatus::solved, 3, 8, 4)};
     const std::vector<Summary> summaries = summarise(one_problem_two_planners(), runs);
     ASSERT_EQ(summaries.size(), 1U) << "the second planner has not run";
     const Summary& summary = summaries[0];
@@ -45,9 +44,9 @@ TEST(Summarise, CostsAndWorkAreOfSolvedRunsAlone) {
 }
 
 TEST(Summarise, TheTimeToASolutionIsOfAllRuns) {
-    const std::vector<BenchmarkRun> runs{run_of(1, SolveStatus::timeout, 0, 0, 0),
-                                         run_of(2, SolveStatus::solved, 1, 6, 4),
-                                         run_of(3, SolveStatus::infeasible, 0, 0, 0)};
+    const std::vector<BenchmarkRun> runs{run_of(1, RunStatus::timeout, 0, 0, 0),
+                                         run_of(2, RunStatus::solved, 1, 6, 4),
+                                         run_of(3, RunStatus::infeasible, 0, 0, 0)};
     const Summary summary = summarise(one_problem_two_planners(), runs).at(0);
     EXPECT_EQ(statistics::quantile(summary.time_to_solution, 0.5),
               (statistics::CensoredValue{10, true}));
@@ -58,9 +57,9 @@ TEST(Summarise, TheTimeToASolutionIsOfAllRuns) {
 }
 
 TEST(Summarise, WithoutABoundThereIsNoRatio) {
-    EXPECT_FALSE(cost_ratio(run_of(1, SolveStatus::solved, 1, 6, 0)));
-    EXPECT_FALSE(cost_ratio(run_of(1, SolveStatus::timeout, 1, 0, 4)));
-    EXPECT_DOUBLE_EQ(*cost_ratio(run_of(1, SolveStatus::solved, 1, 6, 4)), 1.5);
+    EXPECT_FALSE(cost_ratio(run_of(1, RunStatus::solved, 1, 6, 0)));
+    EXPECT_FALSE(cost_ratio(run_of(1, RunStatus::timeout, 1, 0, 4)));
+    EXPECT_DOUBLE_EQ(*cost_ratio(run_of(1, RunStatus::solved, 1, 6, 4)), 1.5);
 }
 
 }  // namespace

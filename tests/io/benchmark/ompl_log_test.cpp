@@ -41,7 +41,8 @@ TEST(OmplLog, ReadsAsItsScriptReadsIt) {
     EXPECT_EQ(lines[facts + 5], "1 enum type");
     EXPECT_EQ(lines[facts + 6],
               "status|Unknown status|Invalid start|Invalid goal|Unrecognized goal type|Timeout|"
-              "Approximate solution|Exact solution|Crash|Abort|Infeasible");
+              "Approximate solution|Exact solution|Crash|Abort|Infeasible|No path|"
+              "Memory limit|Invalid solution");
     EXPECT_EQ(lines[facts + 7], "2 planners");
     EXPECT_EQ(lines[facts + 8], "auto");
     const std::size_t runs = at("2 runs");

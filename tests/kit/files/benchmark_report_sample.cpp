@@ -26,14 +26,14 @@ core::BenchmarkRun sample_run(const core::RunPlace& place) {
     run.place = place;
     const bool reversed = place.direction == core::Direction::reversed;
     if (place.problem == 0 && place.planner == 1 && reversed && place.seed == 4) {
-        run.status = core::SolveStatus::timeout;
+        run.status = core::RunStatus::timeout;
         run.reason = "no path found: deadline";
         run.spent.time_total = 10;
         run.spent.tree_nodes[0] = 1000;
         return run;
     }
     const double scale = (place.planner == 0 ? 1 : 4) * (place.seed == 3 ? 1 : 3);
-    run.status = core::SolveStatus::solved;
+    run.status = core::RunStatus::solved;
     run.primitive_steps = 700;
     run.peak_memory_bytes = 3 << 20;
     core::SolveStatistics& spent = run.spent;

@@ -8,23 +8,15 @@
 
 #include "io/text/atomic_file.hpp"
 #include "tests/kit/chains/problems.hpp"
-#include "tests/kit/files/run_program.hpp"
 #include "tests/kit/files/temporary_folder.hpp"
+#include "tests/tools/bench/bench_runs.hpp"
 
 /// What a user of asv-bench sees.
 
 namespace asv::test {
 namespace {
 
-using Words = std::vector<std::string>;
 using nlohmann::json;
-
-Outcome bench(const Words& problems, const Words& options = {}) {
-    Words arguments = problems;
-    arguments.insert(arguments.end(), {"--quiet", "--seeds", "2"});
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return run_program("asv-bench", arguments);
-}
 
 json runs_of(const Words& problems, const Words& options) {
     const TemporaryFolder folder;
@@ -34,13 +26,6 @@ json runs_of(const Words& problems, const Words& options) {
     const Outcome outcome = bench(problems, all);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return json::parse(io::read_file(file));
-}
-
-/// What no clock and no allocator has a say in.
-json without_times(json run) {
-    for (const char* key : {"time_to_first_s", "time_total_s", "cost_history", "peak_memory_bytes"})
-        run.erase(key);
-    return run;
 }
 
 const Words two_planners{"--planner", "auto", "--planner", "swaps: rrt-connect swap-limiter=on"};

@@ -101,7 +101,7 @@ TEST(CurvePlots, AreDrawnInEveryFormat) {
 
 TEST(CurvePlots, PlannersWithoutASolutionAreNamed) {
     BenchmarkReport report = test::sample_report();
-    for (core::BenchmarkRun& run : report.runs) run.status = core::SolveStatus::timeout;
+    for (core::BenchmarkRun& run : report.runs) run.status = core::RunStatus::timeout;
     for (const auto draw : {draw_profiles, draw_costs_over_time})
         EXPECT_NE(draw(report, PictureFormat::svg, Theme::light).find("auto (no curve)"),
                   std::string::npos);
@@ -129,7 +129,7 @@ TEST(Plot, ShowsNamesOfAnyBytesAndThatTimesAreSpoilt) {
 
 TEST(Plot, IsDrawnWhereNothingIsSolvedAndWhereThereIsMuch) {
     BenchmarkReport report = test::sample_report();
-    for (core::BenchmarkRun& run : report.runs) run.status = core::SolveStatus::timeout;
+    for (core::BenchmarkRun& run : report.runs) run.status = core::RunStatus::timeout;
     EXPECT_FALSE(draw_benchmark(report, PictureFormat::png, Theme::light).empty());
     report = test::sample_report();
     report.plan.problems.resize(200, report.plan.problems[0]);

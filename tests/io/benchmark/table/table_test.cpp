@@ -116,7 +116,7 @@ TEST(Table, ListsTheSeedsThatWereNotSolved) {
 
 TEST(Table, NoneSolvedHasBoundsOfTimesAndNoCosts) {
     BenchmarkReport report = test::sample_report();
-    for (core::BenchmarkRun& run : report.runs) run.status = core::SolveStatus::timeout;
+    for (core::BenchmarkRun& run : report.runs) run.status = core::RunStatus::timeout;
     EXPECT_TRUE(
         test::contains(markdown_table(report),
                        "| auto | 0 of 2 | 0 (0, 84.19) | >10000 (>10000, >10000) | >10000 | 20000 "

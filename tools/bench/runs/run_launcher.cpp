@@ -1,8 +1,9 @@
-#include "tools/bench/run_launcher.hpp"
+#include "tools/bench/runs/run_launcher.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <exception>
@@ -14,22 +15,29 @@
 
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "io/text/write_all.hpp"
-#include "tools/bench/machine.hpp"
-#include "tools/bench/run_bytes.hpp"
+#include "tools/bench/runs/external_run.hpp"
+#include "tools/bench/runs/machine.hpp"
+#include "tools/bench/runs/process_end.hpp"
+#include "tools/bench/runs/run_bytes.hpp"
+#include "tools/bench/runs/supervised_process.hpp"
 
 namespace asv::tools {
 
 namespace {
 
 using core::BenchmarkRun;
+
 /// What comes before the bytes of a run: how its process ended, and how many bytes there are.
 struct Ending {
     int status = 0;
+    double seconds = 0;           ///< that the process lived
+    std::size_t peak_memory = 0;  ///< bytes, resident
     std::size_t size = 0;
 };
 
@@ -60,9 +68,9 @@ bool send_value(int socket, const Value& value) {
     return ::send(socket, &value, sizeof value, MSG_NOSIGNAL) == sizeof value;
 }
 
-int wait_for(pid_t child) {
+int wait_for(pid_t child, rusage& used) {
     int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    while (::wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
     }
     return status;
 }
@@ -71,22 +79,25 @@ int wait_for(pid_t child) {
     throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// The process ends when its parent does.
-void follow(pid_t parent) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+/// The process gets this signal when its parent ends.
+void follow(pid_t parent, int signal) {
+    ::prctl(PR_SET_PDEATHSIG, signal);
     if (::getppid() != parent) ::_exit(1);
 }
 
 [[noreturn]] void be_run(const core::BenchmarkPlan& plan, const core::RunPlace& place, int out) {
+    const bool external = plan.planners[place.planner].external();
+    if (!external) limit_memory(plan.memory_limit);
     BenchmarkRun run;
     try {
-        run = core::run_once(plan, place);
+        run = external ? run_external(plan, place) : core::run_once(plan, place);
     } catch (const std::bad_alloc&) {
         run.fault = "out of memory";
     } catch (const std::exception& error) {
         run.fault = error.what();
     }
-    run.peak_memory_bytes = peak_memory();
+    // That of another program has been measured from outside.
+    if (!external) run.peak_memory_bytes = peak_memory();
     Packer packer;
     exchange(packer, run);
     // Nothing of the launcher's is to be flushed or undone a second time.
@@ -99,16 +110,25 @@ bool run_and_tell(const core::BenchmarkPlan& plan, const core::RunPlace& place, 
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) != 0) fail("pipe");
     const pid_t launcher = ::getpid();
+    const auto begun = core::Clock::now();
     const pid_t child = ::fork();
     if (child < 0) fail("fork");
     if (child == 0) {
-        follow(launcher);
+        // Who watches over another program has to end it first.
+        const bool external = plan.planners[place.planner].external();
+        if (external) hold_signals_of_supervision();
+        follow(launcher, external ? SIGTERM : SIGKILL);
         be_run(plan, place, ends[1]);
     }
     ::close(ends[1]);
     const std::string bytes = read_up_to(ends[0], std::string::npos);
     ::close(ends[0]);
-    const Ending ending{wait_for(child), bytes.size()};
+    rusage used{};
+    Ending ending;
+    ending.status = wait_for(child, used);
+    ending.seconds = std::chrono::duration<double>(core::Clock::now() - begun).count();
+    ending.peak_memory = peak_memory(used);
+    ending.size = bytes.size();
     return send_value(socket, ending) && io::write_all(socket, bytes);
 }
 
@@ -144,14 +164,21 @@ bool wait_for_answer(int socket, const std::stop_token& abort) {
     return false;
 }
 
-std::string how_it_ended(int status) {
-    if (WIFSIGNALED(status))
-        return "the run was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
-               ::strsignal(WTERMSIG(status)) + ")";
-    return "the run ended with exit code " + std::to_string(WEXITSTATUS(status));
+/// A run whose process has ended without a word.
+BenchmarkRun lost_run(const Ending& ending, std::size_t memory_limit) {
+    BenchmarkRun run;
+    if (ran_out_of_memory(ending.status, ending.peak_memory, memory_limit)) {
+        run.status = core::RunStatus::memory_limit;
+        run.reason = memory_reason(memory_limit);
+        run.spent.time_total = ending.seconds;
+        run.peak_memory_bytes = ending.peak_memory;
+    } else {
+        run.fault.append("the run ").append(how_it_ended(ending.status));
+    }
+    return run;
 }
 
-BenchmarkRun read_run(int socket) {
+BenchmarkRun read_run(int socket, std::size_t memory_limit) {
     BenchmarkRun run;
     Ending ending;
     if (!read_value(socket, ending)) {
@@ -159,12 +186,10 @@ BenchmarkRun read_run(int socket) {
         return run;
     }
     const std::string bytes = read_up_to(socket, ending.size);
-    if (WIFEXITED(ending.status) && WEXITSTATUS(ending.status) == 0) {
-        Unpacker unpacker(bytes);
-        exchange(unpacker, run);
-    } else {
-        run.fault = how_it_ended(ending.status);
-    }
+    if (!WIFEXITED(ending.status) || WEXITSTATUS(ending.status) != 0)
+        return lost_run(ending, memory_limit);
+    Unpacker unpacker(bytes);
+    exchange(unpacker, run);
     return run;
 }
 
@@ -182,7 +207,8 @@ RunLauncher::RunLauncher(const core::BenchmarkPlan& plan) : plan_(plan) {
 RunLauncher::~RunLauncher() {
     for (const Process& process : idle_) {
         ::close(process.socket);
-        wait_for(process.id);
+        rusage used{};
+        wait_for(process.id, used);
     }
 }
 
@@ -193,7 +219,7 @@ RunLauncher::Process RunLauncher::start() const {
     const pid_t launcher = ::fork();
     if (launcher < 0) fail("fork");
     if (launcher == 0) {
-        follow(program);
+        follow(program, SIGKILL);
         be_launcher(plan_, ends[1]);
     }
     ::close(ends[1]);
@@ -218,7 +244,7 @@ core::BenchmarkRun RunLauncher::run(const core::RunPlace& place, const std::stop
     if (!send_value(process.socket, place))
         run.fault = "the process that starts the runs has ended";
     else if (wait_for_answer(process.socket, abort))
-        run = read_run(process.socket);
+        run = read_run(process.socket, plan_.memory_limit);
     else
         ::kill(process.id, SIGKILL);
     give_back(process);

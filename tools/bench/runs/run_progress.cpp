@@ -1,4 +1,4 @@
-#include "tools/bench/run_progress.hpp"
+#include "tools/bench/runs/run_progress.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -20,11 +20,11 @@ std::string seconds_text(double seconds) {
 void RunProgress::begin(const core::RunPlace& place) {
     const double elapsed = std::chrono::duration<double>(core::Clock::now() - begun_).count();
     std::string text =
-        std::to_string(done_ + 1) + " of " + std::to_string(core::run_count(plan_)) + ": " +
+        std::to_string(done_ + 1) + " of " + std::to_string(runs_) + ": " +
         plan_.problems[place.problem].name + ", " + plan_.planners[place.planner].label + ", " +
         std::string(core::name(place.direction)) + ", seed " + std::to_string(place.seed);
     if (done_ > 0) {
-        const auto left = static_cast<double>(core::run_count(plan_) - done_);
+        const auto left = static_cast<double>(runs_ - done_);
         text += ", about " + seconds_text(elapsed / static_cast<double>(done_) * left) + " left";
     }
     line_.show(text);

@@ -1,4 +1,4 @@
-#include "tools/bench/run_launcher.hpp"
+#include "tools/bench/runs/run_launcher.hpp"
 
 #include <string>
 
@@ -25,7 +25,7 @@ TEST(RunLauncher, IsTheRunThatWouldBeHere) {
     const core::BenchmarkRun here = core::run_once(plan, place);
     EXPECT_EQ(child.place.seed, 9U);
     EXPECT_EQ(child.place.direction, core::Direction::reversed);
-    EXPECT_EQ(child.status, core::SolveStatus::solved);
+    EXPECT_EQ(child.status, core::RunStatus::solved);
     EXPECT_EQ(child.fault, "");
     EXPECT_EQ(child.primitive_steps, here.primitive_steps);
     EXPECT_EQ(child.spent.cost_first, here.spent.cost_first);
@@ -49,7 +49,7 @@ TEST(RunLauncher, IsTheRunThatWouldBeHere) {
 TEST(RunLauncher, TellsWhyThereIsNoPath) {
     core::BenchmarkPlan plan = plan_of("infeasible/opposite-orientation");
     const core::BenchmarkRun run = RunLauncher(plan).run({}, {});
-    EXPECT_EQ(run.status, core::SolveStatus::infeasible);
+    EXPECT_EQ(run.status, core::RunStatus::infeasible);
     EXPECT_FALSE(run.reason.empty());
 }
 

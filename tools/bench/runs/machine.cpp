@@ -1,4 +1,4 @@
-#include "tools/bench/machine.hpp"
+#include "tools/bench/runs/machine.hpp"
 
 #include <array>
 #include <charconv>

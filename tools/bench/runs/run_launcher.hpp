@@ -30,9 +30,9 @@ class RunLauncher {
     /// processes.
     std::size_t jobs() const { return idle_.size(); }
 
-    /// core::run_once() in a process of its own; from as many threads at once as there are jobs.
-    /// Fills in the peak memory of the run. A process that ends in any other way than by itself is
-    /// a fault of the run. abort ends it.
+    /// core::run_once(), or run_external(), in a process of its own; from as many threads at once
+    /// as there are jobs. Fills in the peak memory of the run. A process that ends in any other way
+    /// than by itself is a fault of the run. abort ends it.
     core::BenchmarkRun run(const core::RunPlace& place, const std::stop_token& abort);
 
   private:

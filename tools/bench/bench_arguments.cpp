@@ -1,0 +1,99 @@
+#include "tools/bench/bench_arguments.hpp"
+
+#include <cstdint>
+#include <limits>
+
+#include "tools/bench/bench_plan.hpp"
+#include "tools/common/command_line.hpp"
+#include "tools/common/number_options.hpp"
+#include "tools/common/reading.hpp"
+
+namespace asv::tools {
+
+namespace {
+
+constexpr std::uint64_t max_seeds = 1'000'000;
+constexpr std::uint64_t max_megabytes = 100'000'000;
+
+void add_plan_options(CLI::App& app, BenchArguments& arguments) {
+    core::BenchmarkPlan& plan = arguments.plan;
+    app.add_option("PROBLEMS", arguments.problems,
+                   "Problem files and scenarios; - for standard input")
+        ->type_name(problem_file);
+    add_reading_options(app, arguments.reading);
+    app.add_option(
+           "--planner", arguments.planners,
+           "\"[LABEL:] NAME [KEY=VALUE]...\": a planner with settings, see asv-solve "
+           "--list-planners; \"all\" for every planner; \"[LABEL:] exec COMMAND\" for another "
+           "program, with {problem}, {solution}, {seed} and {time} in its words; may be "
+           "repeated")
+        ->type_name("PLANNER|all")
+        ->allow_extra_args(false)
+        ->default_str("auto");
+    app.add_option("--seeds", plan.seeds, "Runs of each planner on each problem in each direction")
+        ->transform(whole_number(1, max_seeds))
+        ->capture_default_str();
+    app.add_option("--first-seed", plan.first_seed, "The first seed; the others follow it")
+        ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max() - max_seeds))
+        ->capture_default_str();
+    app.add_option("--direction", arguments.direction, "forward, reversed (goal to start) or both")
+        ->check(CLI::IsMember({"forward", "reversed", "both"}))
+        ->capture_default_str();
+    app.add_option("--time-limit", plan.time_limit, "Seconds of wall clock for each run")
+        ->transform(number_from(0))
+        ->capture_default_str();
+    app.add_option("--optimize", plan.optimize,
+                   "Improvement after the first path, in seconds of work, as in asv-solve")
+        ->transform(number_from(0))
+        ->capture_default_str();
+    app.add_option("--threads", plan.threads, "Threads of each run")
+        ->transform(whole_number(1, max_threads))
+        ->capture_default_str();
+    app.add_option("--jobs", plan.jobs,
+                   "Runs side by side: sooner done, but their times are spoilt")
+        ->transform(whole_number(1, max_threads))
+        ->capture_default_str();
+    app.add_option("--memory-limit", plan.memory_limit,
+                   "Megabytes of memory for each run; one that wants more ends as a result of its "
+                   "own kind. No limit by default")
+        ->transform(whole_number(1, max_megabytes));
+}
+
+void add_record_options(CLI::App& app, BenchArguments& arguments) {
+    app.add_option("--resume", arguments.resume,
+                   "Write each run to this journal as it ends; where there is one of the same "
+                   "benchmark already, go on with it")
+        ->type_name("FILE.jsonl");
+    CLI::Option* from =
+        app.add_option("--from", arguments.from,
+                       "Take the runs of these files, which --json or --resume have written, "
+                       "instead of running problems; with --planner, run what is missing of it; "
+                       "may be repeated")
+            ->type_name("FILE.json|.jsonl");
+    // All of this is told by the files.
+    for (const char* option : {"PROBLEMS", "--seeds", "--first-seed", "--direction", "--time-limit",
+                               "--optimize", "--threads", "--memory-limit", "--resume"})
+        from->excludes(app.get_option(option));
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, BenchArguments& arguments) {
+    add_plan_options(app, arguments);
+    add_record_options(app, arguments);
+    add_output_options(app, arguments.outputs);
+}
+
+void complete(BenchArguments& arguments) {
+    if (arguments.problems.empty() && arguments.from.empty())
+        throw UsageError("PROBLEMS is required, or --from\nRun with --help for help.");
+    core::BenchmarkPlan& plan = arguments.plan;
+    if (arguments.planners.empty() && arguments.from.empty()) arguments.planners = {"auto"};
+    plan.planners = parse_planners(arguments.planners);
+    plan.directions.clear();
+    if (arguments.direction != "reversed") plan.directions.push_back(core::Direction::forward);
+    if (arguments.direction != "forward") plan.directions.push_back(core::Direction::reversed);
+    complete(arguments.outputs);
+}
+
+}  // namespace asv::tools

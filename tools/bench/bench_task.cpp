@@ -1,0 +1,59 @@
+#include "tools/bench/bench_task.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "tools/bench/bench_plan.hpp"
+#include "tools/bench/records/earlier_runs.hpp"
+
+namespace asv::tools {
+
+namespace {
+
+/// The runs of earlier benchmarks, and what is missing of the planners that are asked for; their
+/// problems are read only where something is. False where one cannot be used, which has been told.
+bool read_earlier(const CommandLine& command_line, const BenchArguments& arguments,
+                  FileRoles& roles, BenchTask& task) {
+    task.report = earlier_runs(arguments.from);
+    const io::BenchmarkSession& session = task.report.session;
+    task.earlier = session.parts.empty() ? std::vector{session} : session.parts;
+    const std::vector<std::size_t> planners = add_planners(task.report, arguments.plan.planners);
+    task.missing = missing_runs(task.report, planners);
+    if (task.missing.empty()) return true;
+    if (session.version != ASV_VERSION)
+        throw UsageError("the runs of --from are of version " + session.version +
+                         ", and do not compare with those of " ASV_VERSION);
+    task.report.plan.jobs = std::max(task.report.plan.jobs, arguments.plan.jobs);
+    std::vector<core::BenchmarkProblem> problems;
+    if (!read_problems(command_line, problem_files(task.report.plan), arguments.reading, roles,
+                       problems))
+        return false;
+    put_in_place(std::move(problems), task.report.plan);
+    return true;
+}
+
+}  // namespace
+
+bool prepare(const CommandLine& command_line, const BenchArguments& arguments, FileRoles& roles,
+             BenchTask& task) {
+    if (!arguments.from.empty()) return read_earlier(command_line, arguments, roles, task);
+    task.report.plan = arguments.plan;
+    if (!read_problems(command_line, arguments.problems, arguments.reading, roles,
+                       task.report.plan.problems))
+        return false;
+    task.missing = core::places(task.report.plan);
+    return true;
+}
+
+void resume(const BenchArguments& arguments, BenchTask& task) {
+    if (arguments.resume.empty()) return;
+    task.report.session.version = ASV_VERSION;
+    task.journal.emplace(arguments.resume, task.report);
+    task.report.runs = task.journal->runs();
+    task.earlier = task.journal->sessions();
+    if (!task.earlier.empty()) task.report.session = io::joined(task.earlier);
+    task.missing = missing_runs(task.report);
+}
+
+}  // namespace asv::tools
