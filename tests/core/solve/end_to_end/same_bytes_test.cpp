@@ -26,7 +26,7 @@ namespace {
 
 namespace simd = geometry::simd;
 
-constexpr const char* golden_file = ASV_SOURCE_DIR "/tests/core/solve/same_bytes.txt";
+constexpr const char* golden_file = ASV_SOURCE_DIR "/tests/core/solve/end_to_end/same_bytes.txt";
 
 struct Case {
     std::string problem;  ///< file of testcases/
