@@ -8,76 +8,78 @@ namespace asv::io {
 
 namespace {
 
+using core::Point;
 using nlohmann::ordered_json;
 
-ordered_json point_json(const core::Point& point) {
+constexpr int scenario_version = 1;
+
+ordered_json to_json(const Point& point) {
     return {point.x, point.y};
 }
 
-ordered_json points_json(const std::vector<core::Point>& points) {
-    ordered_json list = ordered_json::array();
-    for (const core::Point& point : points) list.push_back(point_json(point));
-    return list;
+ordered_json to_json(const core::Box& box) {
+    return {to_json(box.low), to_json(box.high)};
 }
 
-ordered_json box_json(const core::Box& box) {
-    return {point_json(box.low), point_json(box.high)};
+ordered_json to_json(const core::JointRange& range) {
+    return range.wraps ? ordered_json("wrap") : ordered_json{range.low, range.high};
 }
 
-ordered_json joints_json(const core::PlanarArm& arm) {
-    ordered_json list = ordered_json::array();
-    for (const core::JointRange& range : arm.joints) {
-        if (range.wraps)
-            list.push_back("wrap");
-        else
-            list.push_back({range.low, range.high});
-    }
-    return list;
+template <class Element>
+ordered_json array_of(const std::vector<Element>& elements) {
+    ordered_json array = ordered_json::array();
+    for (const Element& element : elements) array.push_back(to_json(element));
+    return array;
 }
 
-/// Members "body", "start" and "goal".
-void put_body(ordered_json& scenario, const core::Problem& problem) {
+ordered_json body_of(const core::Problem& problem) {
     switch (problem.body_kind()) {
-        case core::BodyKind::chain:
-            scenario["body"] = {
-                {"kind", "chain"},
-                {"broom_length", problem.requirements.broom_length},
-                {"minimum_area_factor", problem.requirements.area_radius_per_broom}};
-            scenario["start"] = points_json(problem.start);
-            scenario["goal"] = points_json(problem.goal);
-            return;
-        case core::BodyKind::arm: {
-            const core::PlanarArm& arm = *problem.arm();
-            const bool relative = arm.angles == core::AngleReference::previous_link;
-            scenario["body"] = {{"kind", "arm"},
-                                {"base", point_json(problem.start.front())},
-                                {"links", arm.links},
-                                {"angles", relative ? "relative" : "absolute"},
-                                {"joints", joints_json(arm)}};
-            scenario["start"] = arm.start;
-            scenario["goal"] = arm.goal;
-            return;
-        }
         case core::BodyKind::point:
-            scenario["body"] = {{"kind", "point"}};
-            scenario["start"] = point_json(problem.start.front());
-            scenario["goal"] = point_json(problem.goal.front());
-            return;
+            return {{"kind", "point"}};
+        case core::BodyKind::chain:
+            return {{"kind", "chain"},
+                    {"broom_length", problem.requirements.broom_length},
+                    {"minimum_area_factor", problem.requirements.area_radius_per_broom}};
+        case core::BodyKind::arm:
+            break;
     }
+    const core::PlanarArm& arm = *problem.arm();
+    const bool relative = arm.angles == core::AngleReference::previous_link;
+    return {{"kind", "arm"},
+            {"base", to_json(problem.start.front())},
+            {"links", arm.links},
+            {"angles", relative ? "relative" : "absolute"},
+            {"joints", array_of(arm.joints)}};
+}
+
+/// Where the body starts or ends: the points of a chain, the angles of an arm, a point.
+ordered_json end_of(const core::Problem& problem, bool goal) {
+    const std::vector<Point>& points = goal ? problem.goal : problem.start;
+    if (const core::PlanarArm* arm = problem.arm()) return goal ? arm->goal : arm->start;
+    if (problem.body_kind() == core::BodyKind::point) return to_json(points.front());
+    return array_of(points);
 }
 
 }  // namespace
 
-std::string format_scenario(const core::Problem& problem) {
+ordered_json scenario_json(const core::Problem& problem) {
     const core::Requirements& required = problem.requirements;
-    ordered_json scenario = {{"version", 1}};
-    put_body(scenario, problem);
-    scenario["bounds"] = required.bounded() ? box_json(required.bounds) : ordered_json(nullptr);
-    scenario["step"] = required.max_step;
-    scenario["tolerance"] = required.tolerance;
-    ordered_json& obstacles = scenario["obstacles"] = ordered_json::array();
-    for (const core::Box& box : problem.obstacles) obstacles.push_back(box_json(box));
-    return scenario.dump() + "\n";
+    return {{"version", scenario_version},
+            {"body", body_of(problem)},
+            {"start", end_of(problem, false)},
+            {"goal", end_of(problem, true)},
+            {"bounds", required.bounded() ? to_json(required.bounds) : ordered_json(nullptr)},
+            {"obstacles", array_of(problem.obstacles)},
+            {"step", required.max_step},
+            {"tolerance", required.tolerance}};
+}
+
+std::string format_scenario(const core::Problem& problem) {
+    std::string text;
+    const ordered_json json = scenario_json(problem);
+    for (const auto& [member, value] : json.items())
+        text += (text.empty() ? "{" : ",\n ") + ordered_json(member).dump() + ": " + value.dump();
+    return text + "}\n";
 }
 
 }  // namespace asv::io

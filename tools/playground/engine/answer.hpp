@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/model/path.hpp"
+#include "core/model/problem.hpp"
 
 namespace asv::playground {
 
@@ -28,6 +29,9 @@ struct Request {
     Json json;
     std::vector<double> states;
 };
+
+/// The problem of a request, a scenario without a map. Throws io::ParseError.
+core::Problem problem_of(const Request& request);
 
 /// x1 y1 x2 y2 ... of the states one after the other.
 std::vector<double> numbers_of(const core::Path& path);

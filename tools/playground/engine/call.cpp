@@ -4,10 +4,16 @@
 
 #include <emscripten.h>
 
+#include "io/problem/scenario_file.hpp"
 #include "io/text/parse_error.hpp"
 #include "tools/playground/engine/answer.hpp"
 
 namespace asv::playground {
+
+core::Problem problem_of(const Request& request) {
+    const std::string text = request.json.at("problem").dump();
+    return io::parse_scenario(text, "problem", "").problem;
+}
 
 std::vector<double> numbers_of(const core::Path& path) {
     std::vector<double> numbers;

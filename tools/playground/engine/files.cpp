@@ -6,9 +6,9 @@
 #include "core/model/cost.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/problem/scenario_file.hpp"
+#include "io/problem/scenario_text.hpp"
 #include "io/solution/solution_file.hpp"
 #include "tools/playground/engine/given_files.hpp"
-#include "tools/playground/engine/problem_json.hpp"
 
 namespace asv::playground {
 
@@ -71,7 +71,7 @@ Answer read(const Request& request) {
         const GivenFiles files(request.json.value("files", Json::object()));
         const io::ProblemFile file = io::is_scenario(text) ? io::parse_scenario(text, name, "")
                                                            : io::parse_problem(text, name);
-        answer.json["problem"] = to_json(file.problem);
+        answer.json["problem"] = io::scenario_json(file.problem);
         answer.json["states"] = nullptr;
         answer.json["maps"] = Json::array();
         for (const auto& map : file.maps) answer.json["maps"].push_back(map.filename().string());
@@ -83,7 +83,7 @@ Answer write(const Request& request) {
     const auto what = request.json.at("what").get<std::string>();
     const core::Problem problem = problem_of(request);
     if (what == "problem") return file("problem.txt", classic_text(problem));
-    if (what == "scenario") return file("scenario.json", format_scenario(problem));
+    if (what == "scenario") return file("scenario.json", io::format_scenario(problem));
     if (what == "solution") return file("solution.txt", solution_text(problem, request.states));
     throw std::invalid_argument("nothing to write is called " + what);
 }

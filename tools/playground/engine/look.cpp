@@ -6,7 +6,7 @@
 #include "core/model/cost.hpp"
 #include "core/validation/validate.hpp"
 #include "io/drawing/path_profile.hpp"
-#include "tools/playground/engine/problem_json.hpp"
+#include "tools/playground/engine/answer.hpp"
 
 namespace asv::playground {
 

@@ -2,7 +2,7 @@
 
 #include "core/solve/replan.hpp"
 #include "core/solve/solve.hpp"
-#include "tools/playground/engine/problem_json.hpp"
+#include "tools/playground/engine/answer.hpp"
 
 namespace asv::playground {
 
