@@ -119,9 +119,9 @@ TEST(MutatedPaths, VerdictsAreThoseOfTheOracle) {
             if (expected[k] == Verdict::in_doubt) continue;
             ASSERT_EQ(report.checks[k].ok(), expected[k] == Verdict::holds)
                 << name(static_cast<Check>(k)) << ": " << describe(report.checks[k]);
-            failed[k] += report.checks[k].ok() ? 0 : 1;
+            if (!report.checks[k].ok()) ++failed[k];
         }
-        valid += report.valid() ? 1 : 0;
+        if (report.valid()) ++valid;
     }
     // Each verdict has been among the cases, and the oracle is seldom in doubt (with a tolerance of
     // 0 mostly), so that agreeing means something.
