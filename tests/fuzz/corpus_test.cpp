@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -14,14 +15,15 @@
 /// The seeds of the fuzzers, and all inputs that they have found, in every build.
 
 namespace asv::fuzz {
+
+/// So that a failure names the kind of input. GoogleTest looks for it where the type is.
+static void PrintTo(const Target& target, std::ostream* out) {
+    *out << target.name;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
-
-/// So that a failure names the kind of input.
-void PrintTo(const Target& target, std::ostream* out) {
-    *out << target.name;
-}
 
 struct Corpus : testing::TestWithParam<Target> {};
 
