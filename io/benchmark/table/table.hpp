@@ -15,8 +15,8 @@ namespace asv::io {
 std::string markdown_table(const BenchmarkReport& report,
                            const Columns& columns = default_columns());
 
-/// For LaTeX, to be read by \input where the package booktabs is loaded. What is no table is told
-/// in comments, and that times are spoilt in each caption, too.
+/// For LaTeX, a file to input where the package booktabs is loaded. What is no table is told in
+/// comments, and that times are spoilt in each caption, too.
 std::string latex_table(const BenchmarkReport& report, const Columns& columns = default_columns());
 
 }  // namespace asv::io
