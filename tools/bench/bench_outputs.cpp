@@ -38,10 +38,10 @@ io::Columns columns_named(const std::string& keys) {
 }
 
 /// "solved,rate": as --columns takes them.
-std::string keys_of(std::span<const io::Column> columns, std::string_view between) {
+std::string keys_of(std::span<const io::Column> columns) {
     std::string keys;
     for (const io::Column& column : columns) {
-        if (!keys.empty()) keys += between;
+        if (!keys.empty()) keys += ", ";
         keys += column.key;
     }
     return keys;
@@ -97,9 +97,9 @@ void add_output_options(CLI::App& app, BenchOutputs& outputs) {
     app.add_option_function<std::string>(
            "--columns",
            [&outputs](const std::string& keys) { outputs.columns = columns_named(keys); },
-           "Columns of the tables, in this order. There are " + keys_of(io::all_columns(), ", "))
+           "Columns of the tables, in this order. There are " + keys_of(io::all_columns()))
         ->type_name("COLUMN,...")
-        ->default_str(keys_of(outputs.columns, ","));
+        ->default_str(keys_of(outputs.columns));
     app.add_option("--csv", outputs.csv, "Write one line for each run as CSV")
         ->type_name("FILE.csv");
     app.add_option("--json", outputs.json,
