@@ -178,7 +178,7 @@ TEST(BenchProgram, ProblemsOfOneNameKeepTheirFolders) {
 }
 
 TEST(BenchProgram, AllStandsForEveryPlanner) {
-    const json report = runs_of({testcase_file("3ASV.txt")}, {"--planner", "all"});
+    const json report = runs_of({testcase_file("bodies/arm-1-plane.json")}, {"--planner", "all"});
     EXPECT_EQ(report["planners"].size(), 8U);
     EXPECT_EQ(report["runs"].size(), 16U);
 }

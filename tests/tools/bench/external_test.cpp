@@ -11,6 +11,7 @@
 #include "tests/kit/chains/problems.hpp"
 #include "tests/kit/files/temporary_folder.hpp"
 #include "tests/kit/files/text.hpp"
+#include "tests/kit/sanitizers.hpp"
 #include "tests/tools/bench/bench_runs.hpp"
 
 /// Planners that are other programs.
@@ -144,9 +145,7 @@ TEST(ExternalPlanner, NothingOfItIsLeft) {
 }
 
 TEST(ExternalPlanner, TheMemoryLimitHoldsForItToo) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    GTEST_SKIP() << "a sanitizer wants memory of its own";
-#endif
+    if (sanitized) GTEST_SKIP() << "a sanitizer wants memory of its own";
     const TemporaryFolder folder;
     const std::string file = (folder / "b.json").string();
     // A grid of configurations of which only a part fits.
@@ -155,7 +154,8 @@ TEST(ExternalPlanner, TheMemoryLimitHoldsForItToo) {
     const Outcome outcome = bench({testcase_file("7ASV.txt")},
                                   {"--memory-limit", "2", "--planner", command, "--json", file});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    for (const json& run : json::parse(io::read_file(file))["runs"])
+    const json report = json::parse(io::read_file(file));
+    for (const json& run : report["runs"])
         EXPECT_EQ(run["status"], "memory-limit") << run["reason"];
 }
 
