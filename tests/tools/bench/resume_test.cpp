@@ -27,8 +27,8 @@ json json_of(const std::filesystem::path& file) {
 
 /// Eighty runs of some milliseconds each.
 Words sweep(const std::string& file) {
-    return {testcase_file("3ASV.txt"),
-            testcase_file("3ASV-x4.txt"),
+    return {testcase_file("bodies/arm-1-plane.json"),
+            testcase_file("bodies/arm-3-plane.json"),
             "--quiet",
             "--seeds",
             "10",
@@ -38,6 +38,8 @@ Words sweep(const std::string& file) {
             "auto",
             "--planner",
             "rrt",
+            "--time-limit",
+            "600",
             "--json",
             file};
 }
