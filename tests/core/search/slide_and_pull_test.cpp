@@ -15,15 +15,20 @@ using test::goal;
 using test::PointSpace;
 using test::start;
 
+/// Searches in vain, since no way leads through the wall.
+void search_at_wall(auto& space, std::size_t iterations, const SlideAndPullOptions& options) {
+    Limits limits;
+    limits.max_iterations = iterations;
+    Rng rng(1);
+    slide_and_pull(space, {start, goal}, options, limits, rng);
+}
+
 TEST(SlidePull, PullsItsShareOfTheIterations) {
     for (const double share : {0.0, 0.5, 1.0}) {
         PointSpace space(test::closed_wall());
-        Limits limits;
-        limits.max_iterations = 1000;
-        Rng rng(1);
         SlideAndPullOptions options;
         options.pull_share = share;
-        slide_and_pull(space, {start, goal}, options, limits, rng);
+        search_at_wall(space, 1000, options);
         // One target in ten lies in the wall and is not pulled to.
         EXPECT_NEAR(static_cast<double>(space.pulls), 900 * share, 60);
     }
@@ -44,12 +49,9 @@ struct PulledEnds : PointSpace {
 TEST(SlidePull, TheEndThatLeadsOutOfTheStartComesLastIntoTheGoal) {
     for (const Leader leader : {Leader::first_asv, Leader::last_asv, Leader::either}) {
         PulledEnds space(test::closed_wall());
-        Limits limits;
-        limits.max_iterations = 300;
-        Rng rng(1);
         SlideAndPullOptions options;
         options.leader = leader;
-        slide_and_pull(space, {start, goal}, options, limits, rng);
+        search_at_wall(space, 300, options);
         const bool first = leader != Leader::last_asv, last = leader != Leader::first_asv;
         EXPECT_EQ(space.left[0] > 0, first);
         EXPECT_EQ(space.left[1] > 0, last);

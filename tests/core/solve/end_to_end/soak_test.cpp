@@ -98,7 +98,7 @@ SolveOptions random_options(BodyKind body, Rng& rng) {
     options.planner = random_planner(body, rng);
     options.seed = rng.bits();
     options.max_iterations = 1 + rng.below(1000);
-    options.time_limit = 5;
+    options.time_limit = 600;  // the iterations end a run, so that it is the same on every machine
     options.optimize = rng.chance(0.5) ? 0 : rng.uniform(0, 0.02);
     options.reverse = rng.chance(0.5);
     options.keep_trees = rng.chance(0.1);
@@ -131,7 +131,8 @@ TEST(Soak, WhateverIsFoundIsRight) {
         if (result.solution) ++solved;
     });
     std::cout << solved << " of " << runs << " solved\n";
-    EXPECT_GT(solved, 0U);
+    constexpr std::size_t left_to_chance = 3;  // where a slow build makes few runs
+    EXPECT_GE(solved + left_to_chance, runs / 4);
 }
 
 }  // namespace
