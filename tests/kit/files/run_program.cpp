@@ -52,6 +52,24 @@ void redirect(const std::filesystem::path& file, int flags, int descriptor) {
     ::_exit(cannot_start);
 }
 
+/// It stays there to be asked how it ended.
+bool has_ended(pid_t child) {
+    siginfo_t state{};
+    return ::waitid(P_PID, static_cast<id_t>(child), &state, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+           state.si_pid == child;
+}
+
+void send_signals(pid_t child, const Surroundings& surroundings) {
+    constexpr std::chrono::milliseconds between_looks{10};
+    if (surroundings.first_signal_when)
+        while (!surroundings.first_signal_when() && !has_ended(child))
+            std::this_thread::sleep_for(between_looks);
+    for (const int signal : surroundings.signals) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(surroundings.before_each_signal));
+        ::kill(child, signal);
+    }
+}
+
 }  // namespace
 
 Outcome run_program(const std::string& name, const std::vector<std::string>& arguments,
@@ -70,10 +88,7 @@ Outcome run_program(const std::string& name, const std::vector<std::string>& arg
     const pid_t child = ::fork();
     if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
     if (child == 0) become(words, surroundings, out, folder / "err");
-    for (const int signal : surroundings.signals) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(surroundings.before_each_signal));
-        ::kill(child, signal);
-    }
+    send_signals(child, surroundings);
     int status = 0;
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }

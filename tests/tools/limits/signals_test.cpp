@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <string>
@@ -32,6 +33,23 @@ std::string pipe_in(const TemporaryFolder& folder) {
     std::string pipe = folder / "pipe";
     EXPECT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     return pipe;
+}
+
+/// Whether a benchmark has noted a run that has ended: its journal has a line beside the first one.
+bool notes_a_run(const std::string& journal) {
+    if (!std::filesystem::exists(journal)) return false;
+    const std::string text = io::read_file(journal);
+    return std::count(text.begin(), text.end(), '\n') >= 2;
+}
+
+/// A benchmark that would take an hour, ended when its first run has ended.
+Outcome ended_benchmark(int signal, const std::string& journal, const Words& outputs) {
+    Surroundings surroundings = sending({signal});
+    surroundings.first_signal_when = [&journal] { return notes_a_run(journal); };
+    Words words{
+        testcase_file("3ASV.txt"), "--seeds", "1000000", "--optimize", "0", "--resume", journal};
+    words.insert(words.end(), outputs.begin(), outputs.end());
+    return run_program("asv-bench", words, surroundings);
 }
 
 class EverySignal : public testing::TestWithParam<int> {};
@@ -76,12 +94,8 @@ TEST_P(EverySignal, EndsWhatWaitsForItsInput) {
 TEST_P(EverySignal, EndsABenchmarkWithItsResultsWritten) {
     const TemporaryFolder folder;
     const std::string csv = folder / "runs.csv";
-    Surroundings surroundings = sending({GetParam()});
-    surroundings.before_each_signal = 3000;
-    const Outcome outcome = run_program("asv-bench",
-                                        {testcase_file("3ASV.txt"), "--seeds", "1000000",
-                                         "--optimize", "0", "--csv", csv, "--quiet"},
-                                        surroundings);
+    const Outcome outcome =
+        ended_benchmark(GetParam(), folder / "journal", {"--csv", csv, "--quiet"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("Interrupted"), std::string::npos);
     EXPECT_NE(io::read_file(csv).find("3ASV"), std::string::npos);
@@ -90,12 +104,8 @@ TEST_P(EverySignal, EndsABenchmarkWithItsResultsWritten) {
 TEST_P(EverySignal, EndsABenchmarkWhoseResultsNobodyReads) {
     const TemporaryFolder folder;
     const std::string csv = folder / "runs.csv", pipe = pipe_in(folder);
-    Surroundings surroundings = sending({GetParam()});
-    surroundings.before_each_signal = 3000;
-    const Outcome outcome = run_program("asv-bench",
-                                        {testcase_file("3ASV.txt"), "--seeds", "1000000",
-                                         "--optimize", "0", "--json", pipe, "--csv", csv},
-                                        surroundings);
+    const Outcome outcome =
+        ended_benchmark(GetParam(), folder / "journal", {"--json", pipe, "--csv", csv});
     EXPECT_EQ(outcome.exit_code, interrupted) << outcome.err;
     EXPECT_NE(io::read_file(csv).find("3ASV"), std::string::npos) << "files do not wait for it";
 }
