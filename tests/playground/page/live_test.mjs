@@ -3,7 +3,9 @@
 import assert from "node:assert/strict";
 import { statSync } from "node:fs";
 import { test } from "node:test";
+import { pathToFileURL } from "node:url";
 import { close, file, record, screenshot, text } from "../../browser/browser.mjs";
+import { openUnwatched } from "../../browser/unwatched.mjs";
 import { drag, openExample, openPlayground, pageName, percentile, placeOf, problemOf, waitFor } from "./page.mjs";
 
 const rounded = (value) => Number(value.toFixed(1));
@@ -14,11 +16,17 @@ test("the page weighs at most 1.5 MB and asks no network", async () => {
   assert.ok(size <= 1.5e6, `${size} bytes`);
   const page = await openPlayground();
   await waitFor(page, "solved");
-  record({ "first path after opening, ms": rounded(await page.evaluate(() => playground.planning.firstPathAt)) });
   assert.ok(page.requests.every((address) => /^(file|blob|data):/.test(address)), page.requests.join());
   assert.match(await text(page, "verdict"), /Valid path/);
   assert.deepEqual(page.troubles, []);
   await close(page);
+});
+
+test("shows a path soon after it is opened", async () => {
+  const address = pathToFileURL(file(pageName)).href;
+  const times = await openUnwatched(address, { expression: "window.playground?.planning.firstPathAt", times: 10, patience: 3000 });
+  record({ "first path after opening, ms": times.map(rounded) });
+  assert.equal(times.length, 10);
 });
 
 /**
