@@ -25,7 +25,8 @@ struct Surroundings {
     /// Sent to it one after the other, each so many milliseconds after the one before.
     std::vector<int> signals = {};
     unsigned before_each_signal = 1000;
-    /// What the first of them waits for, where a time alone would depend on how busy the machine is.
+    /// What the first of them waits for, where a time alone would depend on how busy the machine
+    /// is.
     std::function<bool()> first_signal_when = {};
     /// More of its environment: "NAME=VALUE".
     std::vector<std::string> environment = {};

@@ -5,7 +5,7 @@ import { statSync } from "node:fs";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { close, file, record, screenshot, text } from "../../browser/browser.mjs";
-import { openUnwatched } from "../../browser/unwatched.mjs";
+import { openUnwatched } from "./unwatched.mjs";
 import { drag, openExample, openPlayground, pageName, percentile, placeOf, problemOf, waitFor } from "./page.mjs";
 
 const rounded = (value) => Number(value.toFixed(1));
