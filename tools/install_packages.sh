@@ -24,6 +24,7 @@ test_packages=(
     libbenchmark-dev               # benchmarks
     clang-format universal-ctags   # the form and the sizes of the sources
     gdb                            # the walk through the program
+    ffmpeg                         # films
 )
 manual_packages=(
     bash-completion zsh fish       # shells that complete

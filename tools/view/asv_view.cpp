@@ -1,11 +1,15 @@
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "io/drawing/animation.hpp"
 #include "io/drawing/drawing.hpp"
 #include "io/player/gallery.hpp"
 #include "io/player/player.hpp"
@@ -14,6 +18,8 @@
 #include "tools/common/file_roles.hpp"
 #include "tools/common/number_options.hpp"
 #include "tools/common/reading.hpp"
+#include "tools/view/film.hpp"
+#include "tools/view/numbered_name.hpp"
 
 namespace {
 
@@ -23,6 +29,7 @@ using asv::io::Theme;
 using asv::tools::CommandLine;
 using asv::tools::ExitCode;
 using asv::tools::FileRoles;
+using asv::tools::NumberedName;
 using asv::tools::UsageError;
 using std::filesystem::path;
 
@@ -36,14 +43,27 @@ struct Arguments {
     std::string solutions;
     std::string theme = "light";
     std::string format = "svg";
+    std::optional<double> seconds;
+    std::optional<unsigned> fps;
     asv::io::ReadOptions reading;
 };
 
-/// The kinds of output, by the ending of the file name; a page stands for the player.
-enum class Kind { svg, png, pdf, page };
+/// The kinds of output, by the ending of the file name; a page stands for the player. A png whose
+/// name has a place for a number is one picture of a film for each number.
+enum class Kind { svg, png, pdf, page, film, numbered };
 
 const std::map<std::string, Kind> kinds{
-    {".svg", Kind::svg}, {".png", Kind::png}, {".pdf", Kind::pdf}, {".html", Kind::page}};
+    {".svg", Kind::svg},  {".png", Kind::png},  {".pdf", Kind::pdf},  {".html", Kind::page},
+    {".gif", Kind::film}, {".mp4", Kind::film}, {".webm", Kind::film}};
+
+constexpr double usual_seconds = 8;
+constexpr double most_seconds = 600;
+constexpr unsigned usual_fps = 25;
+constexpr unsigned most_fps = 60;
+
+bool is_animated(Kind kind) {
+    return kind == Kind::film || kind == Kind::numbered;
+}
 
 void add_options(CLI::App& app, Arguments& arguments) {
     app.add_option("FILES", arguments.inputs,
@@ -53,13 +73,18 @@ void add_options(CLI::App& app, Arguments& arguments) {
         ->required();
     app.add_option(
            "-o,--output", arguments.outputs,
-           "File to write: .svg, .png, .pdf, or .html for the player; - for standard output; "
-           "several -o allowed")
-        ->type_name("FILE.svg|.png|.pdf|.html")
+           "File to write: .svg, .png, .pdf, .html for the player, .gif, .mp4 or .webm for a film, "
+           "NAME-%04d.png for its pictures; - for standard output; several -o allowed")
+        ->type_name("FILE.svg|.png|.pdf|.html|.gif|.mp4|.webm")
         ->allow_extra_args(false);
-    app.add_option("--format", arguments.format, "What -o - is: svg, png, pdf or html")
-        ->check(CLI::IsMember({"svg", "png", "pdf", "html"}))
+    app.add_option("--format", arguments.format,
+                   "What -o - is: svg, png, pdf, html, gif, mp4 or webm")
+        ->check(CLI::IsMember({"svg", "png", "pdf", "html", "gif", "mp4", "webm"}))
         ->capture_default_str();
+    app.add_option("--seconds", arguments.seconds, "How long a film takes (8)")
+        ->transform(asv::tools::number_between(0.1, most_seconds));
+    app.add_option("--fps", arguments.fps, "Pictures of a film in each second (25)")
+        ->transform(asv::tools::whole_number(1, most_fps));
     app.add_option("--trees", arguments.trees, "Search trees, as asv-solve --trees writes them")
         ->type_name("FILE.json");
     app.add_option("--stats", arguments.stats,
@@ -82,12 +107,17 @@ void add_options(CLI::App& app, Arguments& arguments) {
     asv::tools::add_reading_options(app, arguments.reading);
 }
 
+std::string ending_of(const Arguments& arguments, const path& file) {
+    return file == asv::io::standard_stream ? "." + arguments.format : file.extension().string();
+}
+
 Kind kind_of(const Arguments& arguments, const path& file) {
-    const bool standard = file == asv::io::standard_stream;
-    const auto kind = kinds.find(standard ? "." + arguments.format : file.extension().string());
+    const auto kind = kinds.find(ending_of(arguments, file));
     if (kind == kinds.end()) {
-        throw UsageError("-o " + file.string() + ": must end in .svg, .png, .pdf or .html");
+        throw UsageError("-o " + file.string() +
+                         ": must end in .svg, .png, .pdf, .html, .gif, .mp4 or .webm");
     }
+    if (kind->second == Kind::png && NumberedName::of(file)) return Kind::numbered;
     return kind->second;
 }
 
@@ -106,7 +136,29 @@ void check_usage(const Arguments& arguments) {
     if (!arguments.solutions.empty()) throw UsageError("--solutions needs --gallery");
     if (arguments.inputs.size() > 2) throw UsageError("expected PROBLEM [SOLUTION], found more");
     if (arguments.outputs.empty()) throw UsageError("-o FILE or --gallery OUT_DIR is required");
-    for (const path& output : arguments.outputs) static_cast<void>(kind_of(arguments, output));
+    bool animated = false;
+    for (const path& output : arguments.outputs)
+        animated = is_animated(kind_of(arguments, output)) || animated;
+    if (animated && arguments.inputs.size() < 2)
+        throw UsageError("a film needs a solution: PROBLEM SOLUTION");
+    if (!animated && (arguments.seconds || arguments.fps))
+        throw UsageError(
+            "--seconds and --fps are for films: -o with .gif, .mp4, .webm or NAME-%d.png");
+}
+
+std::size_t picture_count(const Arguments& arguments) {
+    const double pictures = arguments.seconds.value_or(usual_seconds) *
+                            static_cast<double>(arguments.fps.value_or(usual_fps));
+    return std::max<std::size_t>(2, static_cast<std::size_t>(std::lround(pictures)));
+}
+
+/// The names of all files that an output stands for.
+std::vector<path> files_of(const Arguments& arguments, const path& output) {
+    if (kind_of(arguments, output) != Kind::numbered) return {output};
+    const NumberedName name = *NumberedName::of(output);
+    std::vector<path> files;
+    for (std::size_t i = 0; i < picture_count(arguments); ++i) files.push_back(name.at(i));
+    return files;
 }
 
 std::string produce(const Exhibit& exhibit, Kind kind, Theme theme) {
@@ -119,8 +171,32 @@ std::string produce(const Exhibit& exhibit, Kind kind, Theme theme) {
             return draw_picture(exhibit, PictureFormat::pdf, theme);
         case Kind::page:
             return make_player(exhibit);
+        case Kind::film:
+        case Kind::numbered:
+            break;
     }
-    return {};
+    throw std::logic_error("a film is no single picture");
+}
+
+/// A film, or its pictures one by one.
+void write_animation(const Arguments& arguments, const Exhibit& exhibit, const path& output,
+                     Theme theme) {
+    const asv::io::Animation animation(exhibit, theme, picture_count(arguments));
+    if (const auto format = asv::tools::film_format(ending_of(arguments, output)))
+        return asv::io::write_file(
+            output, make_film(animation, *format, arguments.fps.value_or(usual_fps)));
+    const std::vector<path> files = files_of(arguments, output);
+    for (std::size_t i = 0; i < files.size(); ++i)
+        asv::io::write_file(files[i], animation.picture(i));
+}
+
+void write_output(const Arguments& arguments, const Exhibit& exhibit, const path& output) {
+    const Theme theme = arguments.theme == "dark" ? Theme::dark : Theme::light;
+    const Kind kind = kind_of(arguments, output);
+    if (is_animated(kind))
+        write_animation(arguments, exhibit, output, theme);
+    else
+        asv::io::write_file(output, produce(exhibit, kind, theme));
 }
 
 ExitCode show_one(const CommandLine& command_line, const Arguments& arguments) {
@@ -132,7 +208,8 @@ ExitCode show_one(const CommandLine& command_line, const Arguments& arguments) {
     if (files.solution) roles.add_input("SOLUTION", *files.solution);
     roles.add_input("--trees", arguments.trees);
     roles.add_input("--stats", arguments.stats);
-    for (const path& output : arguments.outputs) roles.add_output("-o", output);
+    for (const path& output : arguments.outputs)
+        for (const path& file : files_of(arguments, output)) roles.add_output("-o", file);
     roles.require_distinct();
     asv::io::ReadingNotes notes;
     Exhibit exhibit = read_exhibit(files, notes, arguments.reading);
@@ -140,10 +217,7 @@ ExitCode show_one(const CommandLine& command_line, const Arguments& arguments) {
     for (const path& map : notes.maps) roles.add_input("the map of the scenario", map);
     roles.require_distinct();
     if (arguments.bound) exhibit.lower_bound = arguments.bound;
-    const Theme theme = arguments.theme == "dark" ? Theme::dark : Theme::light;
-    for (const path& output : arguments.outputs) {
-        asv::io::write_file(output, produce(exhibit, kind_of(arguments, output), theme));
-    }
+    for (const path& output : arguments.outputs) write_output(arguments, exhibit, output);
     return ExitCode::done;
 }
 

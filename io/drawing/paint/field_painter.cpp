@@ -90,13 +90,9 @@ void paint_line(Canvas& canvas, const Scene& scene, const SceneLine& line, const
             canvas.stroke_line(points, {faded(colour, 0.75), 1.4, {3, 4}});
             break;
         case Role::start:
-        case Role::goal: {
-            paint_chain(canvas, points, {end_broom + 3, end_dot + 1.5}, colours.field);
-            paint_chain(canvas, points, {end_broom, end_dot}, colour);
-            // ASV 1 is the one with an eye: the order of the chain shows.
-            canvas.fill_circle(points.front(), end_dot / 2, colours.field);
+        case Role::goal:
+            paint_body(canvas, points, colours, colour);
             break;
-        }
         case Role::violation:
             paint_chain(canvas, points, {2.2, 2.6}, colours.violation);
             break;
@@ -189,6 +185,14 @@ void paint_chain(Canvas& canvas, const std::vector<Point>& points, const Pen& pe
                  const Colour& colour) {
     canvas.stroke_line(points, {colour, pen.broom});
     canvas.fill_dots(points, pen.dot, colour);
+}
+
+void paint_body(Canvas& canvas, const std::vector<Point>& points, const Palette& colours,
+                const Colour& colour) {
+    paint_chain(canvas, points, {end_broom + 3, end_dot + 1.5}, colours.field);
+    paint_chain(canvas, points, {end_broom, end_dot}, colour);
+    // ASV 1 is the one with an eye: the order of the chain shows.
+    canvas.fill_circle(points.front(), end_dot / 2, colours.field);
 }
 
 void paint_violation_mark(Canvas& canvas, const Point& at, const Palette& colours) {

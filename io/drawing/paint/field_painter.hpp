@@ -34,6 +34,10 @@ void paint_bare_field(Canvas& canvas, const Scene& scene, const Page& page, cons
 void paint_chain(Canvas& canvas, const std::vector<geometry::Point>& points, const Pen& pen,
                  const Colour& colour);
 
+/// The same drawn strong, on a rim of the field's colour, its first point with an eye.
+void paint_body(Canvas& canvas, const std::vector<geometry::Point>& points, const Palette& colours,
+                const Colour& colour);
+
 /// A circle with a cross: where a requirement is violated, also without seeing colours.
 void paint_violation_mark(Canvas& canvas, const geometry::Point& at, const Palette& colours);
 

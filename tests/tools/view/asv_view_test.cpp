@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -73,6 +74,11 @@ TEST_F(ViewProgram, RefusesWrongUsage) {
         {},
         {"@p.txt"},
         {"@p.txt", "-o", "@a.gif"},
+        {"@p.txt", "-o", "@a-%d.png"},
+        {"@p.txt", "@s.txt", "-o", "@a.avi"},
+        {"@p.txt", "@s.txt", "-o", "@a.svg", "--seconds", "2"},
+        {"@p.txt", "@s.txt", "-o", "@a.gif", "--fps", "61"},
+        {"@p.txt", "@s.txt", "-o", "@a-%d.png", "-o", "@a-3.png"},
         {"@p.txt", "-o", "@svg"},
         {"@p.txt", "@s.txt", "@s.txt", "-o", "@a.svg"},
         {"@p.txt", "--solutions", "@.", "-o", "@a.svg"},
@@ -116,6 +122,40 @@ TEST_F(ViewProgram, GalleryShowsAllAndEndsWithThreeWhenACaseIsBroken) {
     EXPECT_EQ(bad.exit_code, 3);
     EXPECT_NE(bad.err.find("broken.txt:1:1"), std::string::npos) << bad.err;
     EXPECT_NE(text("g/index.html").find("p.html"), std::string::npos);
+}
+
+TEST_F(ViewProgram, MakesNumberedPicturesOfAWay) {
+    const test::Outcome outcome = view({"@p.txt", "@s.txt", "-o", "@a-%03d.png", "-o", "@b-%d.png",
+                                        "--seconds", "0.5", "--fps", "8"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const char* name : {"a-000.png", "a-003.png", "b-0.png", "b-3.png"})
+        EXPECT_TRUE(text(name).starts_with("\x89PNG")) << name;
+    EXPECT_EQ(text("a-002.png"), text("b-2.png"));
+    EXPECT_NE(text("a-000.png"), text("a-003.png"));
+    EXPECT_EQ(folder_.entries(), 3 + 2 * 4);
+}
+
+TEST_F(ViewProgram, MakesFilms) {
+    if (std::system("command -v ffmpeg > /dev/null") != 0)
+        GTEST_SKIP() << "ffmpeg is not installed (Debian package ffmpeg)";
+    const test::Outcome outcome = view({"@p.txt", "@s.txt", "-o", "@a.gif", "-o", "@a.mp4", "-o",
+                                        "@a.webm", "--seconds", "0.5", "--fps", "8"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out + outcome.err, "");
+    EXPECT_TRUE(text("a.gif").starts_with("GIF89a"));
+    EXPECT_EQ(text("a.mp4").substr(4, 4), "ftyp");
+    EXPECT_TRUE(text("a.webm").starts_with("\x1A\x45\xDF\xA3"));
+    EXPECT_EQ(folder_.entries(), 6);
+}
+
+TEST_F(ViewProgram, SaysWhatAFilmNeeds) {
+    test::Surroundings without;
+    without.environment = {"PATH=/nowhere"};
+    const test::Outcome outcome =
+        test::run_program("asv-view", {path("p.txt"), path("s.txt"), "-o", path("a.gif")}, without);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("needs the program ffmpeg"), std::string::npos) << outcome.err;
+    EXPECT_EQ(folder_.entries(), 3);
 }
 
 TEST_F(ViewProgram, HelpHasAnExample) {
