@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|python|package|
+# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|python|ompl|package|
 # package_test|site|playground|fuzz]. "build" is what the libraries and programs need, "test" adds what the tests need,
-# "ci" the second compiler as well; "python" is "build" and what the Python module and its tests need;
+# "ci" the second compiler as well; "python" is "build" and what the Python module and its tests need; "ompl" is "build" and OMPL;
 # "package" is "build" and what makes Debian packages, "package_test" what tries them as well; "site" is
 # what tools/site.sh needs, with what it takes to configure the project; "playground" is what tools/playground.sh needs to
 # compile the planner for a browser; "fuzz" is "build" and what tools/fuzz.sh needs.
@@ -40,6 +40,9 @@ python_packages=(
     python3-pytest                 # tests
     python3-matplotlib             # axes to draw on
 )
+ompl_packages=(
+    libompl-dev                    # planners of OMPL, and ours among them
+)
 package_packages=(
     dpkg-dev file                  # which packages a program stands on
     chrpath                        # programs without search paths
@@ -68,6 +71,7 @@ case "$what" in
     package) packages+=("${package_packages[@]}") ;;
     package_test) packages+=("${package_packages[@]}" "${package_test_packages[@]}") ;;
     python) packages+=("${python_packages[@]}") ;;
+    ompl) packages+=("${ompl_packages[@]}") ;;
     site) packages+=("${site_packages[@]}") ;;
     playground) packages+=("${playground_packages[@]}") ;;
     fuzz) packages+=("${fuzz_packages[@]}") ;;

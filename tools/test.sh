@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is needed, builds and runs all tests as users run the programs (release), and says at
 # the end which were skipped and why. The Python module is built and tried by release and asan, where
-# the packages of `tools/install_packages.sh python` are there.
+# the packages of `tools/install_packages.sh python` are there; what stands on OMPL by release, where that of
+# `tools/install_packages.sh ompl` is.
 # test.sh PRESET... runs them in other builds: asan with the sanitizers for memory and undefined
 # behaviour, by clang, tsan with the one for threads (only tests that start some), clang with that
 # compiler and no sanitizer.
@@ -43,6 +44,10 @@ for module in numpy pytest; do
     /usr/bin/python3 -c "import $module" 2> /dev/null || python_lacks+=" python3-$module"
 done
 
+# OMPL's headers lie in a folder of their version.
+ompl_found=OFF
+[ ! -e "$(echo /usr/include/ompl*/ompl/config.h)" ] || ompl_found=ON
+
 for name in "${presets[@]}"; do
     echo "== $name"
     # This sanitizer changes what GCC's optimiser sees, and with it what it warns of.
@@ -54,11 +59,13 @@ for name in "${presets[@]}"; do
     case "$name" in
         release | packages | asan) [ -n "$python_lacks" ] || python=ON ;;
     esac
-    # Packages are made of the release build.
+    # Packages are made of the release build, and hold nothing that stands on OMPL.
+    ompl=OFF
+    [ "$name" != release ] || ompl=$ompl_found
     build=$name
     [ "$name" != packages ] || build=release
     cmake --preset "$build" -DASV_BUILD_TESTS=ON -DASV_WARNINGS_AS_ERRORS="$strict" \
-        -DASV_BUILD_PYTHON="$python"
+        -DASV_BUILD_PYTHON="$python" -DASV_BUILD_OMPL="$ompl"
     cmake --build --preset "$build"
     report=build/$build/$name-tests.xml
     code=0
@@ -73,5 +80,6 @@ for name in "${presets[@]}"; do
         ctest --preset "$name" --rerun-failed || code=$?
     fi
     [ "$python" = ON ] || [ -z "$python_lacks" ] || echo "No Python module: missing$python_lacks"
+    [ "$name" != release ] || [ "$ompl" = ON ] || echo "Nothing of OMPL: missing libompl-dev"
     [ "$code" -eq 0 ] || exit "$code"
 done

@@ -25,7 +25,8 @@ void add_plan_options(CLI::App& app, BenchArguments& arguments) {
            "--planner", arguments.planners,
            "\"[LABEL:] NAME [KEY=VALUE]...\": a planner with settings, see asv-solve "
            "--list-planners; \"all\" for every planner; \"[LABEL:] exec COMMAND\" for another "
-           "program, with {problem}, {solution}, {seed} and {time} in its words; may be "
+           "program, with {problem}, {solution}, {seed} and {time} in its words; \"[LABEL:] "
+           "ompl:NAME [PARAMETER=VALUE]...\" for one of OMPL, see asv-ompl --list-planners; may be "
            "repeated")
         ->type_name("PLANNER|all")
         ->allow_extra_args(false)

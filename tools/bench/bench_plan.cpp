@@ -15,6 +15,7 @@
 #include "io/text/atomic_file.hpp"
 #include "io/text/escape.hpp"
 #include "io/text/parse_error.hpp"
+#include "tools/bench/ompl_planner.hpp"
 #include "tools/bench/runs/supervised_process.hpp"
 
 namespace asv::tools {
@@ -41,13 +42,13 @@ void set_one(core::BenchmarkPlanner& planner, const std::string& setting) {
 
 constexpr std::string_view exec_word = "exec ";
 
-/// Where "exec " stands in "[LABEL:] exec COMMAND"; npos for any other planner.
-std::size_t begin_of_exec(const std::string& text) {
+/// Where the word stands in "[LABEL:] WORD..."; npos where it stands nowhere like that.
+std::size_t begin_of(std::string_view word, const std::string& text) {
     std::size_t begin = 0;
     while (true) {
         begin = text.find_first_not_of(' ', begin);
         if (begin == std::string::npos) return begin;
-        if (text.compare(begin, exec_word.size(), exec_word) == 0) return begin;
+        if (text.compare(begin, word.size(), word) == 0) return begin;
         const std::size_t colon = text.find(':', begin);
         if (colon == std::string::npos) return colon;
         begin = colon + 1;
@@ -101,8 +102,10 @@ core::BenchmarkPlanner parse_planner(const std::string& given) {
     if (std::any_of(text.begin(), text.end(),
                     [](char c) { return static_cast<unsigned char>(c) < ' '; }))
         throw UsageError("--planner: there is a control character in it");
-    if (const std::size_t exec = begin_of_exec(given); exec != std::string::npos)
+    if (const std::size_t exec = begin_of(exec_word, given); exec != std::string::npos)
         return parse_external(given, exec);
+    if (const std::size_t ompl = begin_of(ompl_prefix, text); ompl != std::string::npos)
+        return parse_ompl_planner(text, ompl);
     const std::size_t colon = text.rfind(':');
     const std::string call = colon == std::string::npos ? text : text.substr(colon + 1);
     core::BenchmarkPlanner planner;

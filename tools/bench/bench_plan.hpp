@@ -11,9 +11,10 @@
 namespace asv::tools {
 
 /// A planner from "[LABEL:] NAME [KEY=VALUE]...", words parted by blanks, or from "[LABEL:] exec
-/// COMMAND", which is another program (command_words.hpp); without a label its own words are one.
-/// Throws UsageError, which says what there is, for an unknown name or setting, and for a command
-/// without {problem} or {solution} or whose program is not there.
+/// COMMAND", which is another program (command_words.hpp), or one of OMPL (ompl_planner.hpp);
+/// without a label its own words are one. Throws UsageError, which says what there is, for an
+/// unknown name or setting, and for a command without {problem} or {solution} or whose program is
+/// not there.
 core::BenchmarkPlanner parse_planner(const std::string& given);
 
 /// All of them; "all" stands for every planner there is. Throws UsageError, also when two would

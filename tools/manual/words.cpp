@@ -81,6 +81,19 @@ Words bench() {
           "Puts runs of two benchmarks together, and runs nothing."}}};
 }
 
+Words ompl() {
+    return {"plan with a planner of OMPL",
+            {"OMPL is the Open Motion Planning Library. Its planners get the space of the body and "
+             "a check of motions that proves them whole. A solution is written only when an "
+             "independent validator accepts it, but for --motion sampled.",
+             "A planner's draws follow the seed; PRM and PRMstar, which look for the path in a "
+             "thread of their own, do not give the same path each time even so."},
+            {problem_file, solution_file},
+            {{"asv-ompl problem.txt solution.txt --planner KPIECE1 --set range=0.5",
+              "Plans with another planner and one of its parameters."},
+             {"asv-ompl --list-planners", "Tells all planners and parameters."}}};
+}
+
 Words generate() {
     return {"write a random problem of a family",
             {"The options of a family stand behind its name; those of all families may stand "
@@ -101,6 +114,7 @@ Words words_of(std::string_view program) {
     if (program == "asv-view") return view();
     if (program == "asv-bench") return bench();
     if (program == "asv-generate") return generate();
+    if (program == "asv-ompl") return ompl();
     throw std::invalid_argument("no manual page for '" + std::string(program) + "'");
 }
 

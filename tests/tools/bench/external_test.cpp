@@ -173,6 +173,18 @@ TEST(ExternalPlanner, ACommandThatCannotBeRunIsWrongUsage) {
     EXPECT_TRUE(contains(message("exec cp '{problem} {solution}"), "a quote ' is not closed"));
 }
 
+/// As it is where asv-ompl is not built, and not installed beside it.
+TEST(ExternalPlanner, OfOmplNeedsAsvOmplBesideIt) {
+    const TemporaryFolder folder;
+    const std::filesystem::path lone = folder / "asv-bench";
+    std::filesystem::copy_file(std::filesystem::path(ASV_PROGRAM_DIR) / "asv-bench", lone);
+    const std::string name = std::filesystem::relative(lone, ASV_PROGRAM_DIR).string();
+    const Outcome outcome =
+        run_program(name, {testcase_file("3ASV.txt"), "--planner", "ompl:RRTConnect"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(contains(outcome.err, "this asv-bench was built without OMPL")) << outcome.err;
+}
+
 TEST(ExternalPlanner, IsInTheFilesAndReadAgain) {
     const TemporaryFolder folder;
     const auto in = [&](const char* name) { return (folder / name).string(); };

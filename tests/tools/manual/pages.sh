@@ -30,7 +30,9 @@ compare() {
     diff <(echo "$2") <(echo "$3") || true
 }
 
-for name in asv-bench asv-generate asv-solve asv-validate asv-view; do
+names=(asv-bench asv-generate asv-solve asv-validate asv-view)
+[ ! -x "$programs/asv-ompl" ] || names+=(asv-ompl)  # not built without OMPL
+for name in "${names[@]}"; do
     page=$share/man/man1/$name.1
     program=$programs/$name
     compare "$name" "$(help_options "$program")" "$(page_options "$page" OPTIONS)"
