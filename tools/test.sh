@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is needed, builds and runs all tests as users run the programs (release), and says at
 # the end which were skipped and why. The Python module is built and tried by release and asan, where
-# the packages of `tools/install_packages.sh python` are there.
+# the packages of `tools/install_packages.sh python` are there, and the programs of MPI by release, where
+# those of `tools/install_packages.sh mpi` are.
 # test.sh PRESET... runs them in other builds: asan with the sanitizers for memory and undefined
 # behaviour, by clang, tsan with the one for threads (only tests that start some), clang with that
 # compiler and no sanitizer.
@@ -43,6 +44,12 @@ for module in numpy pytest; do
     /usr/bin/python3 -c "import $module" 2> /dev/null || python_lacks+=" python3-$module"
 done
 
+# Likewise what the programs of MPI lack.
+mpi_lacks=
+[ -e /usr/include/boost/mpi.hpp ] || mpi_lacks+=" libboost-mpi-dev"
+command -v mpicxx > /dev/null || mpi_lacks+=" libopenmpi-dev"
+command -v mpirun > /dev/null || mpi_lacks+=" openmpi-bin"
+
 for name in "${presets[@]}"; do
     echo "== $name"
     # This sanitizer changes what GCC's optimiser sees, and with it what it warns of.
@@ -54,11 +61,13 @@ for name in "${presets[@]}"; do
     case "$name" in
         release | packages | asan) [ -n "$python_lacks" ] || python=ON ;;
     esac
+    mpi=OFF
+    [ "$name" != release ] || [ -n "$mpi_lacks" ] || mpi=ON
     # Packages are made of the release build.
     build=$name
     [ "$name" != packages ] || build=release
     cmake --preset "$build" -DASV_BUILD_TESTS=ON -DASV_WARNINGS_AS_ERRORS="$strict" \
-        -DASV_BUILD_PYTHON="$python"
+        -DASV_BUILD_PYTHON="$python" -DASV_BUILD_MPI="$mpi"
     cmake --build --preset "$build"
     report=build/$build/$name-tests.xml
     code=0
@@ -73,5 +82,6 @@ for name in "${presets[@]}"; do
         ctest --preset "$name" --rerun-failed || code=$?
     fi
     [ "$python" = ON ] || [ -z "$python_lacks" ] || echo "No Python module: missing$python_lacks"
+    [ "$mpi" = ON ] || [ "$name" != release ] || echo "No programs of MPI: missing$mpi_lacks"
     [ "$code" -eq 0 ] || exit "$code"
 done

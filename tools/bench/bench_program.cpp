@@ -1,3 +1,5 @@
+#include "tools/bench/bench_program.hpp"
+
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -10,16 +12,9 @@
 #include "tools/bench/runs/sweep.hpp"
 #include "tools/common/command_line.hpp"
 
-namespace {
+namespace asv::tools {
 
-namespace core = asv::core;
-namespace io = asv::io;
-using asv::tools::BenchArguments;
-using asv::tools::BenchTask;
-using asv::tools::CommandLine;
-using asv::tools::ExitCode;
-using asv::tools::FileRoles;
-using asv::tools::SweepEnd;
+namespace {
 
 /// Reports a run that must not be: its message and the command that repeats it.
 ExitCode report_fault(const core::BenchmarkPlan& plan, const core::BenchmarkRun& run) {
@@ -29,11 +24,11 @@ ExitCode report_fault(const core::BenchmarkPlan& plan, const core::BenchmarkRun&
 }
 
 ExitCode run_and_write(const CommandLine& command_line, const BenchArguments& arguments,
-                       BenchTask& task) {
+                       const RunSite& site, BenchTask& task) {
     SweepEnd end;
     if (!task.missing.empty())
         end = run_sweep(task.report, std::move(task.missing), std::move(task.earlier),
-                        task.journal ? &*task.journal : nullptr, command_line.quiet());
+                        task.journal ? &*task.journal : nullptr, site.hire, command_line.quiet());
     if (end.fault) return report_fault(task.report.plan, *end.fault);
     if (task.report.runs.empty()) {
         std::cerr << "asv-bench: "
@@ -45,7 +40,7 @@ ExitCode run_and_write(const CommandLine& command_line, const BenchArguments& ar
     return ExitCode::done;
 }
 
-ExitCode bench(const CommandLine& command_line, BenchArguments& arguments) {
+ExitCode bench(const CommandLine& command_line, BenchArguments& arguments, const RunSite& site) {
     complete(arguments);
     FileRoles roles;
     for (const std::string& file : arguments.problems) roles.add_input("PROBLEM", file);
@@ -56,22 +51,28 @@ ExitCode bench(const CommandLine& command_line, BenchArguments& arguments) {
     BenchTask task;
     if (!prepare(command_line, arguments, roles, task)) return ExitCode::bad_input;
     const core::BenchmarkPlan& plan = task.report.plan;
-    for (const std::filesystem::path& file :
-         asv::tools::log_files(plan, arguments.outputs.ompl_log))
+    for (const std::filesystem::path& file : log_files(plan, arguments.outputs.ompl_log))
         roles.add_output("--ompl-log", file);
     roles.require_distinct();
     if (!task.missing.empty()) {
-        asv::tools::require_usable(plan);
-        asv::tools::warn_of_idle_settings(command_line, plan);
+        require_usable(plan);
+        warn_of_idle_settings(command_line, plan);
     }
     require_places(arguments.outputs);
     resume(arguments, task);
-    return run_and_write(command_line, arguments, task);
+    return run_and_write(command_line, arguments, site, task);
+}
+
+/// The site decides how many runs are side by side, where it does.
+void take_jobs_of(const RunSite& site, const CLI::Option& jobs, BenchArguments& arguments) {
+    if (site.jobs == 0) return;
+    if (jobs.count() > 0) throw UsageError("--jobs: under MPI every rank makes one run at a time");
+    arguments.plan.jobs = site.jobs;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) try {
+int run_bench_program(int argc, const char* const* argv, const RunSite& site) {
     CommandLine command_line(
         "asv-bench",
         "Runs planners on problems with many seeds, each run as asv-solve would and in a process "
@@ -84,7 +85,10 @@ int main(int argc, char** argv) try {
         "rrt-connect swap-limiter=on\" --direction both --csv runs.csv");
     BenchArguments arguments;
     add_options(command_line.options(), arguments);
-    return command_line.run(argc, argv, [&] { return bench(command_line, arguments); });
-} catch (...) {
-    return asv::tools::report_failed_start("asv-bench");
+    return command_line.run(argc, argv, [&] {
+        take_jobs_of(site, *command_line.options().get_option("--jobs"), arguments);
+        return bench(command_line, arguments, site);
+    });
 }
+
+}  // namespace asv::tools

@@ -1,3 +1,5 @@
+#include "tools/solve/solve_program.hpp"
+
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -5,7 +7,6 @@
 #include <optional>
 #include <string>
 
-#include "core/solve/solve.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/solution/solution_file.hpp"
 #include "io/text/atomic_file.hpp"
@@ -17,17 +18,11 @@
 #include "tools/solve/run_report.hpp"
 #include "tools/solve/run_watch.hpp"
 
+namespace asv::tools {
+
 namespace {
 
-namespace core = asv::core;
-namespace io = asv::io;
-using asv::tools::CommandLine;
-using asv::tools::ExitCode;
-using asv::tools::is_stream;
-using asv::tools::ProgressLine;
-using asv::tools::RunWatch;
-using asv::tools::Stage;
-using Arguments = asv::tools::SolveArguments;
+using Arguments = SolveArguments;
 
 /// When everything has to be over; none beyond what a clock can count.
 std::optional<core::Clock::time_point> moment_of_limit(const Arguments& arguments) {
@@ -37,8 +32,8 @@ std::optional<core::Clock::time_point> moment_of_limit(const Arguments& argument
     return arguments.started + std::chrono::duration_cast<core::Clock::duration>(limit);
 }
 
-asv::tools::FileRoles roles_of(const Arguments& arguments) {
-    asv::tools::FileRoles roles;
+FileRoles roles_of(const Arguments& arguments) {
+    FileRoles roles;
     roles.add_input("PROBLEM", arguments.problem);
     roles.add_output("SOLUTION", arguments.solution);
     roles.add_output("--stats", arguments.stats);
@@ -52,13 +47,13 @@ void require_usable(const Arguments& arguments, const core::Problem& problem) {
     try {
         core::require_usable(arguments.solve.planner, problem.body_kind());
     } catch (const std::invalid_argument& error) {
-        throw asv::tools::UsageError(error.what());
+        throw UsageError(error.what());
     }
 }
 
 /// Solves it as the arguments ask for, with what the watch and the terminal want to know.
 core::SolveResult solve(const CommandLine& command_line, const Arguments& arguments,
-                        const core::Problem& problem, RunWatch& watch) {
+                        const SolveSite& site, const core::Problem& problem, RunWatch& watch) {
     ProgressLine line(!command_line.quiet());
     core::SolveOptions options = arguments.solve;
     options.stop = watch.interrupted();
@@ -66,11 +61,11 @@ core::SolveResult solve(const CommandLine& command_line, const Arguments& argume
     options.on_path = [&](double seconds) { watch.note_path(seconds); };
     if (line.visible())
         options.on_progress = [&](const core::SolveProgress& progress) {
-            line.show(asv::tools::progress_text(progress));
+            line.show(progress_text(progress));
         };
     options.elapsed_before =
         std::chrono::duration<double>(core::Clock::now() - arguments.started).count();
-    return core::solve(problem, options);
+    return site.solve(arguments, problem, options);
 }
 
 /// The solution first, since it matters most, and the trees last, which are the largest.
@@ -89,14 +84,14 @@ void write_outputs(const Arguments& arguments, const core::Problem& problem,
     write_trees(arguments, result, problem.asv_count());
 }
 
-ExitCode solve_file(const CommandLine& command_line, Arguments& arguments) {
+ExitCode solve_file(const CommandLine& command_line, Arguments& arguments, const SolveSite& site) {
     arguments.quiet = command_line.quiet();
     arguments.solve.planner = chosen_planner(arguments);
-    asv::tools::FileRoles roles = roles_of(arguments);
+    FileRoles roles = roles_of(arguments);
     roles.require_distinct();
     std::atomic<core::SolveStatus> status = core::SolveStatus::timeout;
     RunWatch watch(moment_of_limit(arguments),
-                   [&](const asv::tools::CutOff& at) { return give_up(arguments, at, status); });
+                   [&](const CutOff& at) { return give_up(arguments, at, status); });
     const io::ProblemFile file = io::read_problem(arguments.problem, arguments.reading);
     command_line.print(file.warnings);
     roles.add_maps(file);
@@ -105,11 +100,13 @@ ExitCode solve_file(const CommandLine& command_line, Arguments& arguments) {
     warn_of_idle_settings(arguments, file.problem);
     watch.enter(Stage::solving);
     try {
-        const core::SolveResult result = solve(command_line, arguments, file.problem, watch);
+        const core::SolveResult result = solve(command_line, arguments, site, file.problem, watch);
         status = result.status;
         write_outputs(arguments, file.problem, result, watch);
         if (!command_line.quiet()) report(arguments, result);
-        return asv::tools::exit_code(result.status);
+        if (!command_line.quiet() && site.summary)
+            std::cerr << "asv-solve: " << site.summary() << '\n';
+        return exit_code(result.status);
     } catch (const core::InvalidEnds& invalid) {
         report_invalid_ends(arguments, file, invalid);
         return ExitCode::bad_input;
@@ -118,7 +115,7 @@ ExitCode solve_file(const CommandLine& command_line, Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
+int run_solve_program(int argc, const char* const* argv, const SolveSite& site) {
     CommandLine command_line(
         "asv-solve",
         "Plans a motion for a chain of ASVs among obstacles, shortens it, checks it and writes it "
@@ -128,9 +125,10 @@ int main(int argc, char** argv) try {
     // The system has been busy with the program before it got here.
     arguments.started =
         core::Clock::now() - std::chrono::duration_cast<core::Clock::duration>(
-                                 std::chrono::duration<double>(asv::tools::processor_seconds()));
+                                 std::chrono::duration<double>(processor_seconds()));
     add_options(command_line.options(), arguments);
-    return command_line.run(argc, argv, [&] { return solve_file(command_line, arguments); });
-} catch (...) {
-    return asv::tools::report_failed_start("asv-solve");
+    if (site.threads > 0) arguments.solve.threads = site.threads;
+    return command_line.run(argc, argv, [&] { return solve_file(command_line, arguments, site); });
 }
+
+}  // namespace asv::tools

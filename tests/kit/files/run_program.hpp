@@ -25,7 +25,8 @@ struct Surroundings {
     /// Sent to it one after the other, each so many milliseconds after the one before.
     std::vector<int> signals = {};
     unsigned before_each_signal = 1000;
-    /// What the first of them waits for, where a time alone would depend on how busy the machine is.
+    /// What the first of them waits for, where a time alone would depend on how busy the machine
+    /// is.
     std::function<bool()> first_signal_when = {};
     /// More of its environment: "NAME=VALUE".
     std::vector<std::string> environment = {};
@@ -38,7 +39,7 @@ inline constexpr int sanitizer_exit_code = 99;
 /// Exit code when the program itself could not be started.
 inline constexpr int cannot_start = 127;
 
-/// Runs bin/NAME of this build to its end, at most a minute.
+/// Runs bin/NAME of this build, or an absolute NAME, to its end, at most a minute.
 Outcome run_program(const std::string& name, const std::vector<std::string>& arguments,
                     const Surroundings& surroundings = {});
 
