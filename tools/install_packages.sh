@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|python|ompl|package|
+# Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|python|ompl|mpi|package|
 # package_test|site|playground|fuzz]. "build" is what the libraries and programs need, "test" adds what the tests need,
 # "ci" the second compiler as well; "python" is "build" and what the Python module and its tests need; "ompl" is "build" and OMPL;
+# "mpi" is "build" and what ASV_BUILD_MPI needs;
 # "package" is "build" and what makes Debian packages, "package_test" what tries them as well; "site" is
 # what tools/site.sh needs, with what it takes to configure the project; "playground" is what tools/playground.sh needs to
 # compile the planner for a browser; "fuzz" is "build" and what tools/fuzz.sh needs.
@@ -43,6 +44,10 @@ python_packages=(
 ompl_packages=(
     libompl-dev                    # planners of OMPL, and ours among them
 )
+mpi_packages=(
+    libboost-mpi-dev               # messages between processes
+    libopenmpi-dev openmpi-bin     # what carries them, and mpirun
+)
 package_packages=(
     dpkg-dev file                  # which packages a program stands on
     chrpath                        # programs without search paths
@@ -72,6 +77,7 @@ case "$what" in
     package_test) packages+=("${package_packages[@]}" "${package_test_packages[@]}") ;;
     python) packages+=("${python_packages[@]}") ;;
     ompl) packages+=("${ompl_packages[@]}") ;;
+    mpi) packages+=("${mpi_packages[@]}") ;;
     site) packages+=("${site_packages[@]}") ;;
     playground) packages+=("${playground_packages[@]}") ;;
     fuzz) packages+=("${fuzz_packages[@]}") ;;

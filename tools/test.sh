@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is needed, builds and runs all tests as users run the programs (release), and says at
 # the end which were skipped and why. The Python module is built and tried by release and asan, where
-# the packages of `tools/install_packages.sh python` are there; what stands on OMPL by release, where that of
-# `tools/install_packages.sh ompl` is.
+# the packages of `tools/install_packages.sh python` are there; what stands on OMPL and MPI by release, where
+# those of `tools/install_packages.sh ompl` and `mpi` are.
 # test.sh PRESET... runs them in other builds: asan with the sanitizers for memory and undefined
 # behaviour, by clang, tsan with the one for threads (only tests that start some), clang with that
 # compiler and no sanitizer.
@@ -48,6 +48,12 @@ done
 ompl_found=OFF
 [ ! -e "$(echo /usr/include/ompl*/ompl/config.h)" ] || ompl_found=ON
 
+# Likewise what the programs of MPI lack.
+mpi_lacks=
+[ -e /usr/include/boost/mpi.hpp ] || mpi_lacks+=" libboost-mpi-dev"
+command -v mpicxx > /dev/null || mpi_lacks+=" libopenmpi-dev"
+command -v mpirun > /dev/null || mpi_lacks+=" openmpi-bin"
+
 for name in "${presets[@]}"; do
     echo "== $name"
     # This sanitizer changes what GCC's optimiser sees, and with it what it warns of.
@@ -59,13 +65,17 @@ for name in "${presets[@]}"; do
     case "$name" in
         release | packages | asan) [ -n "$python_lacks" ] || python=ON ;;
     esac
-    # Packages are made of the release build, and hold nothing that stands on OMPL.
     ompl=OFF
-    [ "$name" != release ] || ompl=$ompl_found
+    mpi=OFF
+    if [ "$name" = release ]; then
+        ompl=$ompl_found
+        [ -n "$mpi_lacks" ] || mpi=ON
+    fi
+    # Packages are made of the release build, and hold nothing that stands on OMPL or MPI.
     build=$name
     [ "$name" != packages ] || build=release
     cmake --preset "$build" -DASV_BUILD_TESTS=ON -DASV_WARNINGS_AS_ERRORS="$strict" \
-        -DASV_BUILD_PYTHON="$python" -DASV_BUILD_OMPL="$ompl"
+        -DASV_BUILD_PYTHON="$python" -DASV_BUILD_OMPL="$ompl" -DASV_BUILD_MPI="$mpi"
     cmake --build --preset "$build"
     report=build/$build/$name-tests.xml
     code=0
@@ -81,5 +91,6 @@ for name in "${presets[@]}"; do
     fi
     [ "$python" = ON ] || [ -z "$python_lacks" ] || echo "No Python module: missing$python_lacks"
     [ "$name" != release ] || [ "$ompl" = ON ] || echo "Nothing of OMPL: missing libompl-dev"
+    [ "$name" != release ] || [ "$mpi" = ON ] || echo "No programs of MPI: missing$mpi_lacks"
     [ "$code" -eq 0 ] || exit "$code"
 done

@@ -161,7 +161,8 @@ std::vector<BenchmarkRun> run_benchmark(const BenchmarkPlan& plan, std::vector<R
                                         const BenchmarkWatch& watch) {
     require_runnable(plan);
     Queue queue(plan, std::move(which), watch);
-    in_threads(plan.jobs, std::stop_source(), [&queue](std::size_t /*job*/) { queue.work(); });
+    in_threads(watch.workers > 0 ? watch.workers : plan.jobs, std::stop_source(),
+               [&queue](std::size_t /*job*/) { queue.work(); });
     return queue.results();
 }
 

@@ -54,8 +54,8 @@ struct BenchmarkRun {
 BenchmarkRun run_once(const BenchmarkPlan& plan, const RunPlace& place,
                       const std::stop_token& abort = {});
 
-/// Who looks on. With several jobs before() and after() are called from several threads, one at a
-/// time.
+/// Who looks on. With several workers before() and after() are called from several threads, one at
+/// a time.
 struct BenchmarkWatch {
     std::function<void(const RunPlace&)> before = {};     ///< a run begins
     std::function<void(const BenchmarkRun&)> after = {};  ///< a run has ended
@@ -64,6 +64,7 @@ struct BenchmarkWatch {
     /// Does a run: here, or in a process of its own.
     std::function<BenchmarkRun(const BenchmarkPlan&, const RunPlace&, const std::stop_token&)>
         perform = run_once;
+    std::size_t workers = 0;  ///< runs at once, on all machines; 0 for the jobs of the plan
 };
 
 /// Runs the plan and checks each solution once more, the motion between its steps included. Seeds

@@ -119,6 +119,13 @@ void finish(const SolveCall& call, const RaceResult& first, SolveResult& result)
         find_bounds(call, time_to_write(result.solution->path), result.statistics);
 }
 
+/// Shows the path of the search to the caller, where that wants to see it.
+void show_first_path(const SolveCall& call, const RaceResult& first) {
+    if (!call.options.on_first_path) return;
+    if (const auto steps = call.solver.steps(first.path, call.deadline()))
+        call.options.on_first_path(call.frame.path_back(*steps));
+}
+
 /// Mends the last path, if there is one, or else searches; improves and checks.
 void plan(const SolveCall& call, const Path* last, SolveResult& result) {
     if (last) {
@@ -134,6 +141,7 @@ void plan(const SolveCall& call, const Path* last, SolveResult& result) {
         result.status = stopped ? SolveStatus::interrupted : SolveStatus::timeout;
         result.reason = "no path found: " + std::string(name(first.failure));
     } else {
+        show_first_path(call, first);
         finish(call, first, result);
     }
 }

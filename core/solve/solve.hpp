@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/model/path.hpp"
 #include "core/model/problem.hpp"
 #include "core/search/search_result.hpp"
 #include "core/solve/planner_catalogue.hpp"
@@ -45,6 +46,10 @@ struct SolveOptions {
     /// than 8 for each processor as 8. Fewer are started where the system grants no more. One,
     /// since several find another path each time.
     std::size_t threads = 1;
+    /// Racers are numbered through all threads, and each number has draws and strategies of its
+    /// own. Where several processes race on one problem with one seed, the number of the first
+    /// thread of each: how many threads the processes before it have.
+    std::size_t first_racer = 0;
     /// Plan from the goal to the start; the path is given from the start to the goal all the same.
     bool reverse = false;
     /// Fill SolveResult::trees, which takes memory.
@@ -65,6 +70,10 @@ struct SolveOptions {
     std::function<void(const SolveProgress&)> on_progress = {};
     /// Called once there is a path, by the thread that has found it, with the seconds that took.
     std::function<void(double)> on_path = {};
+    /// Called, where it is given, with the path that the search has found, as primitive steps from
+    /// the start to the goal, before it is improved; not checked by the validator yet. To make the
+    /// steps of a path that is not yet short takes time.
+    std::function<void(const Path&)> on_first_path = {};
 };
 
 /// A requirement that the start or the goal of a problem violates.

@@ -59,7 +59,7 @@ class Race {
                 history.emplace_back(call_.clock.elapsed(), progress.cost);
             if (thread == 0) watch(progress);
         };
-        Attempt attempt = call_.solver.search(limits, rng, observer, thread);
+        Attempt attempt = call_.solver.search(limits, rng, observer, call_.racer(thread));
         const std::lock_guard lock(mutex_);
         result_.statistics.state_checks += attempt.checks.state_checks;
         result_.statistics.edge_checks += attempt.checks.edge_checks;

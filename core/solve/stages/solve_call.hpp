@@ -44,10 +44,13 @@ struct SolveCall {
         return std::clamp<std::size_t>(options.threads, 1, most);
     }
 
-    /// A seed for each thread, that of the options for the first one.
+    /// The number of a thread among all that race, other processes' too.
+    std::size_t racer(std::size_t thread) const { return options.first_racer + thread; }
+
+    /// A seed for each thread, that of the options for the first racer.
     std::uint64_t seed(std::size_t thread) const {
         constexpr std::uint64_t golden_ratio = 0x9e3779b97f4a7c15;
-        return options.seed + golden_ratio * thread;
+        return options.seed + golden_ratio * racer(thread);
     }
 };
 

@@ -75,7 +75,7 @@ void send_signals(pid_t child, const Surroundings& surroundings) {
 Outcome run_program(const std::string& name, const std::vector<std::string>& arguments,
                     const Surroundings& surroundings) {
     const TemporaryFolder folder;
-    std::string program = std::string(ASV_PROGRAM_DIR) + "/" + name;
+    std::string program = (std::filesystem::path(ASV_PROGRAM_DIR) / name).string();
     std::vector<std::string> copies = arguments;
     std::vector<char*> words = {program.data()};
     for (std::string& word : copies) words.push_back(word.data());

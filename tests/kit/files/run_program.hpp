@@ -39,7 +39,7 @@ inline constexpr int sanitizer_exit_code = 99;
 /// Exit code when the program itself could not be started.
 inline constexpr int cannot_start = 127;
 
-/// Runs bin/NAME of this build to its end, at most a minute.
+/// Runs bin/NAME of this build, or an absolute NAME, to its end, at most a minute.
 Outcome run_program(const std::string& name, const std::vector<std::string>& arguments,
                     const Surroundings& surroundings = {});
 

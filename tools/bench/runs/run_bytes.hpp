@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/benchmark/run.hpp"
+
 /// The outcome of a run as bytes, from one process of asv-bench to another.
 
 namespace asv::tools {
@@ -70,15 +72,9 @@ class Unpacker {
     std::string_view bytes_;
 };
 
-/// Everything of a run but its place, which both ends know.
-template <class Archive, class Run>
-void exchange(Archive& archive, Run& run) {
-    archive(run.status);
-    archive(run.reason);
-    archive(run.fault);
-    archive(run.primitive_steps);
-    archive(run.peak_memory_bytes);
-    auto& spent = run.spent;
+/// Everything that a search has spent.
+template <class Archive, class Statistics>
+void exchange_statistics(Archive& archive, Statistics& spent) {
     for (auto* number : {&spent.time_to_first, &spent.time_total, &spent.cost_first, &spent.cost,
                          &spent.cost_of_search, &spent.cost_lower_bound})
         archive(*number);
@@ -89,6 +85,29 @@ void exchange(Archive& archive, Run& run) {
     archive(spent.state_checks);
     archive(spent.edge_checks);
     archive(spent.cost_history);
+}
+
+/// Everything of a run but its place, which both ends know.
+template <class Archive, class Run>
+void exchange(Archive& archive, Run& run) {
+    archive(run.status);
+    archive(run.reason);
+    archive(run.fault);
+    archive(run.primitive_steps);
+    archive(run.peak_memory_bytes);
+    exchange_statistics(archive, run.spent);
+}
+
+inline std::string run_bytes(const core::BenchmarkRun& run) {
+    Packer packer;
+    exchange(packer, run);
+    return packer.bytes();
+}
+
+inline std::string place_bytes(const core::RunPlace& place) {
+    Packer packer;
+    packer(place);
+    return packer.bytes();
 }
 
 }  // namespace asv::tools

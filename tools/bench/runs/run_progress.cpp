@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <iostream>
 #include <string>
 
 namespace asv::tools {
@@ -28,6 +29,11 @@ void RunProgress::begin(const core::RunPlace& place) {
         text += ", about " + seconds_text(elapsed / static_cast<double>(done_) * left) + " left";
     }
     line_.show(text);
+}
+
+void RunProgress::tell(const std::string& text) {
+    line_.clear();
+    std::cerr << text << '\n';
 }
 
 }  // namespace asv::tools

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "core/benchmark/run.hpp"
 #include "tools/common/progress_line.hpp"
@@ -16,6 +17,8 @@ class RunProgress {
 
     void begin(const core::RunPlace& place);
     void end() { ++done_; }
+    /// A line that stays, on standard error.
+    void tell(const std::string& text);
 
   private:
     const core::BenchmarkPlan& plan_;

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <memory>
+#include <string>
 #include <thread>
 #include <utility>
 
 #include "core/benchmark/machine_unit.hpp"
 #include "tools/bench/runs/machine.hpp"
-#include "tools/bench/runs/run_launcher.hpp"
 #include "tools/bench/runs/run_progress.hpp"
 #include "tools/common/interrupt.hpp"
 
@@ -26,10 +27,10 @@ io::BenchmarkSession begin_session() {
 
 /// Runs them; true when that was interrupted.
 bool run_all(io::BenchmarkReport& report, std::vector<core::RunPlace> places, Journal* journal,
-             bool quiet) {
+             const HireCrew& hire, bool quiet) {
     core::BenchmarkPlan& plan = report.plan;
-    RunLauncher launcher(plan);
-    plan.jobs = launcher.jobs();
+    const std::unique_ptr<RunCrew> crew = hire(plan);
+    plan.jobs = std::min(plan.jobs, crew->size());
     const InterruptWatch interrupt;
     RunProgress progress(plan, places.size(), !quiet);
     core::BenchmarkWatch watch;
@@ -39,23 +40,27 @@ bool run_all(io::BenchmarkReport& report, std::vector<core::RunPlace> places, Jo
         progress.end();
     };
     watch.perform = [&](const core::BenchmarkPlan&, const core::RunPlace& place,
-                        const std::stop_token& abort) { return launcher.run(place, abort); };
+                        const std::stop_token& abort) { return crew->run(place, abort); };
+    watch.workers = crew->size();
     watch.abort = interrupt.token();
     std::vector<core::BenchmarkRun> done = core::run_benchmark(plan, std::move(places), watch);
     std::move(done.begin(), done.end(), std::back_inserter(report.runs));
     core::sort_as_told(report.runs);
+    if (const std::string summary = crew->summary(); !quiet && !summary.empty())
+        progress.tell("asv-bench: " + summary);
     return watch.abort.stop_requested();
 }
 
 }  // namespace
 
 SweepEnd run_sweep(io::BenchmarkReport& report, std::vector<core::RunPlace> places,
-                   std::vector<io::BenchmarkSession> earlier, Journal* journal, bool quiet) {
+                   std::vector<io::BenchmarkSession> earlier, Journal* journal,
+                   const HireCrew& hire, bool quiet) {
     const auto begun = core::Clock::now();
     report.session = begin_session();
     if (journal != nullptr) journal->begin(report);
     SweepEnd end;
-    end.interrupted = run_all(report, std::move(places), journal, quiet);
+    end.interrupted = run_all(report, std::move(places), journal, hire, quiet);
     const auto fault = std::find_if(report.runs.begin(), report.runs.end(),
                                     [](const auto& run) { return !run.fault.empty(); });
     if (fault != report.runs.end()) {
