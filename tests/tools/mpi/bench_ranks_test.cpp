@@ -55,12 +55,13 @@ Words small_sweep(const std::string& file) {
             file};
 }
 
-/// Forty runs of some 50 ms each.
-Words long_sweep(const TemporaryFolder& folder, const std::string& name) {
+/// Twice as many runs as seeds, of some 50 ms each.
+Words long_sweep(const TemporaryFolder& folder, const std::string& name,
+                 const std::string& seeds = "20") {
     return {testcase_file("3ASV.txt"),
             "--quiet",
             "--seeds",
-            "20",
+            seeds,
             "--direction",
             "both",
             "--optimize",
@@ -114,15 +115,17 @@ TEST(BenchRanks, ARankThatIsKilledCostsNoMoreThanTheRunsAtWork) {
 TEST(BenchRanks, CtrlCWritesWhatThereIs) {
     const TemporaryFolder folder;
     const auto journal = folder / "sweep.jsonl";
-    Words sweep = long_sweep(folder, "some");
+    // More than there is time for.
+    Words sweep = long_sweep(folder, "some", "10000");
     sweep.insert(sweep.end(), {"--resume", journal.string()});
     Surroundings interrupted;
     constexpr std::size_t enough_lines = 4;
     interrupted.first_signal_when = [&] { return lines_of(journal) >= enough_lines; };
     interrupted.before_each_signal = 1;
     interrupted.signals = {SIGINT};
-    // So that a busy machine can write its results before mpirun kills what it has ended.
-    interrupted.environment = {"OMPI_MCA_odls_base_sigkill_timeout=20"};
+    // mpirun passes the signal on after so many seconds, and kills after as many again. A busy
+    // machine has to write its results before that.
+    interrupted.environment = {"OMPI_MCA_odls_base_sigkill_timeout=3"};
     run_ranks(2, "asv-bench", sweep, interrupted);
     ASSERT_TRUE(std::filesystem::exists(folder / "some.csv"));
     EXPECT_GE(lines_of(folder / "some.csv"), enough_lines);

@@ -29,7 +29,8 @@ class RunCrew {
     virtual std::string summary() const { return {}; }
 };
 
-/// Finds the crew for a plan, which outlives it. No thread has been started by the caller.
+/// Finds the crew for a plan, which outlives it. The caller has started no thread; it watches for
+/// signals that interrupt from then on, which may be blocked meanwhile.
 using HireCrew = std::function<std::unique_ptr<RunCrew>(const core::BenchmarkPlan&)>;
 
 }  // namespace asv::tools

@@ -14,6 +14,8 @@ RankCrew::RankCrew(Mail& mail, const LauncherProcess& own, const core::Benchmark
     const std::string bytes = plan_bytes(plan);
     mail_.send_to_all(Tag::plan, bytes);
     own_.tell(bytes);
+    // The postman must not get them. Who hires a crew has a thread for them next.
+    hold_signals_for_rank_0();
     if (size() > 1)
         postman_ = std::jthread([this](const std::stop_token& done) { be_postman(done); });
 }
