@@ -19,6 +19,7 @@ build_packages=(
     libcairo2-dev pkg-config       # pictures
     libpng-dev                     # maps that are PNG pictures
     libsqlite3-dev                 # databases of benchmarks
+    libjs-chart.js                 # charts in pages of benchmarks
 )
 test_packages=(
     libgtest-dev librapidcheck-dev # unit and property tests

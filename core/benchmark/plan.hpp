@@ -26,6 +26,8 @@ struct BenchmarkProblem {
     Problem problem;
     /// Of its content: two problems with one digest are the same, whatever their files are called.
     std::string digest = {};
+    /// Numbers that it was generated with, by their names; empty where nobody has told them.
+    std::vector<std::pair<std::string, double>> parameters = {};
 };
 
 /// A planner with settings of its own.

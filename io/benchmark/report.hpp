@@ -34,6 +34,9 @@ struct BenchmarkReport {
     core::BenchmarkPlan plan;
     std::vector<core::BenchmarkRun> runs;  ///< by problem, direction, planner and seed
     BenchmarkSession session;
+    /// Of the problems, over which curves are drawn (core/benchmark/parameter_curves.hpp); empty
+    /// for none.
+    std::string parameter = {};
 
     /// Were all runs of the plan made?
     bool complete() const { return runs.size() == core::run_count(plan); }

@@ -201,41 +201,22 @@ ordered_json data_of(const Exhibit& exhibit) {
     return data;
 }
 
-/// JSON that can stand in a script element: no "</script>" or "<!--" can come out of a name.
-std::string embeddable(const ordered_json& data) {
-    std::string text = data.dump(-1, ' ', true);
-    for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
-        text.replace(at, 1, "\\u003c");
-    return text;
-}
-
 }  // namespace
 
 std::string make_player(const Exhibit& exhibit) {
     const std::string title = escape_markup(exhibit.name);
-    const std::string data = embeddable(data_of(exhibit));
+    const std::string data = embeddable(data_of(exhibit).dump(-1, ' ', true));
     const std::span<const Box> obstacles = exhibit.problem.obstacles;
     std::string result;
     result.reserve(assets::page.size() + assets::style.size() + assets::script.size() +
                    data.size() + 2 * title.size() + base64_size(obstacles.size_bytes()));
-    std::string_view rest = assets::page;
-    while (!rest.empty()) {
-        const std::size_t mark = std::min(rest.find('@'), rest.size());
-        result += rest.substr(0, mark);
-        rest.remove_prefix(mark);
-        if (rest.empty()) break;
-        const std::size_t end = rest.find('@', 1);
-        const std::string_view key = rest.substr(1, end - 1);
-        if (key == "OBSTACLES") {
-            append_packed(result, obstacles);
-        } else {
-            result += key == "TITLE"    ? std::string_view(title)
-                      : key == "STYLE"  ? assets::style
-                      : key == "SCRIPT" ? assets::script
-                                        : std::string_view(data);
-        }
-        rest.remove_prefix(end + 1);
-    }
+    append_filled(result, assets::page, [&](std::string& page, std::string_view key) {
+        if (key == "OBSTACLES") return append_packed(page, obstacles);
+        page += key == "TITLE"    ? std::string_view(title)
+                : key == "STYLE"  ? assets::style
+                : key == "SCRIPT" ? assets::script
+                                  : std::string_view(data);
+    });
     return result;
 }
 

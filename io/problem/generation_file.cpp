@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/text/atomic_file.hpp"
+#include "io/text/json/document.hpp"
 
 namespace asv::io {
 
@@ -24,6 +25,17 @@ void write_generation(const std::filesystem::path& file, const Generation& gener
                                {"reason", generation.reason},
                                {"version", generation.version}};
     write_file(file, json.dump(2) + '\n');
+}
+
+std::vector<std::pair<std::string, double>> read_parameters(const std::filesystem::path& file) {
+    const std::string text = read_file(file);
+    const JsonDocument document(text, file.string());
+    const JsonDocument::Pointer at("/parameters");
+    std::vector<std::pair<std::string, double>> parameters;
+    for (const std::string& name : document.members(at))
+        if (document.is_number(at / name))
+            parameters.emplace_back(name, document.number(at / name));
+    return parameters;
 }
 
 }  // namespace asv::io

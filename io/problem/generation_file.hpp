@@ -27,4 +27,8 @@ struct Generation {
 /// WriteError.
 void write_generation(const std::filesystem::path& file, const Generation& generation);
 
+/// The parameters of that object that are numbers, in the order of letters; of the file all other
+/// members are left alone, so that other programs may write one, too. Throws ReadError, ParseError.
+std::vector<std::pair<std::string, double>> read_parameters(const std::filesystem::path& file);
+
 }  // namespace asv::io

@@ -58,4 +58,24 @@ std::string with_two_decimals(std::string_view svg) {
     return result;
 }
 
+void append_filled(
+    std::string& result, std::string_view page,
+    const std::function<void(std::string& result, std::string_view key)>& append_part) {
+    while (!page.empty()) {
+        const std::size_t mark = std::min(page.find('@'), page.size());
+        result += page.substr(0, mark);
+        page.remove_prefix(mark);
+        if (page.empty()) return;
+        const std::size_t end = page.find('@', 1);
+        append_part(result, page.substr(1, end - 1));
+        page.remove_prefix(end + 1);
+    }
+}
+
+std::string embeddable(std::string json) {
+    for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', at))
+        json.replace(at, 1, "\\u003c");
+    return json;
+}
+
 }  // namespace asv::io

@@ -23,11 +23,13 @@ use_chromium() {
     export ASV_BROWSER=$browser ASV_PROGRAMS ASV_OUT ASV_SOURCE
 }
 
-# run_tests FOLDER: one file after the other, since what is measured in one is not to be disturbed by another.
+# run_tests FOLDER...: one file after the other, since what is measured in one is not to be disturbed by another.
 run_tests() {
-    local tests failed=0
-    for tests in "$1"/*_test.mjs; do
-        node --test --test-reporter=spec "$tests" || failed=1
+    local folder tests failed=0
+    for folder in "$@"; do
+        for tests in "$folder"/*_test.mjs; do
+            node --test --test-reporter=spec "$tests" || failed=1
+        done
     done
     echo "Screenshots and figures.json are in $ASV_OUT"
     return $failed

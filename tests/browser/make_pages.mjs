@@ -105,6 +105,11 @@ wander(15, 10000, "long-10000");
 wander(15, 30000, "long-30000");
 wander(3, 120000, "long-120000");
 
+// Two planners, one with a label that would like to be markup, side by side so that times are spoilt.
+run("asv-bench", [...["3ASV.txt", "3ASV-x4.txt"].map((name) => join(ASV_SOURCE, "testcases", name)), "--direction", "both", "--seeds", "3", "--optimize", "0.05",
+                  "--jobs", "2", "--planner", "auto", "--planner", `${awkward}: rrt-connect`, "--parameter", "obstacles",
+                  "--report", page("report.html"), "--table", page("report.md"), "--quiet"]);
+
 const cases = join(pages, "cases");
 mkdirSync(cases, { recursive: true });
 for (const name of ["7ASV", "spoilt"]) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/benchmark/arena_database.hpp"
+#include "io/benchmark/html/html_page.hpp"
 #include "io/benchmark/ompl_log.hpp"
 #include "io/benchmark/runs_csv.hpp"
 #include "io/benchmark/runs_json.hpp"
@@ -68,6 +69,8 @@ std::vector<Output> results_for(const BenchOutputs& outputs, const io::Benchmark
         return latex ? io::latex_table(all, outputs.columns)
                      : io::markdown_table(all, outputs.columns);
     });
+    add(outputs.page,
+        [&](const io::BenchmarkReport& all) { return io::html_page(all, outputs.columns); });
     if (!outputs.ompl_log.empty()) {
         const bool several = report.plan.problems.size() * report.plan.directions.size() > 1;
         for (const io::Experiment& experiment : io::experiments(report))
@@ -105,16 +108,20 @@ void add_output_options(CLI::App& app, BenchOutputs& outputs) {
     app.add_option("--json", outputs.json,
                    "Write session, summary, and all runs with their commands as JSON")
         ->type_name("FILE.json");
+    app.add_option("--report", outputs.page,
+                   "Write tables and charts that can be pointed at as one self-contained page")
+        ->type_name("FILE.html");
     app.add_option("--ompl-log", outputs.ompl_log,
                    "Write a text log of OMPL's benchmarks; with several problems or directions one "
                    "for each, its name before the ending")
         ->type_name("FILE.log");
     app.add_option("--database", outputs.database, "Write an SQLite database for Planner Arena")
         ->type_name("FILE.db|.sqlite");
-    const std::array<const char*, 3> shown{"shares solved over time and costs",
+    const std::array<const char*, 4> shown{"shares solved over time and costs",
                                            "performance profiles: times over those of the best "
                                            "planner",
-                                           "costs over time, with quartiles"};
+                                           "costs over time, with quartiles",
+                                           "median time and success over --parameter"};
     for (std::size_t i = 0; i < shown.size(); ++i)
         app.add_option(outputs.plots[i].option, outputs.plots[i].files,
                        std::string("Draw ") + shown[i] +
@@ -122,13 +129,25 @@ void add_output_options(CLI::App& app, BenchOutputs& outputs) {
                            "repeated")
             ->type_name("FILE.svg|.png|.pdf")
             ->allow_extra_args(false);
+    app.add_option("--parameter", outputs.parameter,
+                   "What --parameter-plot and --report draw curves over: n (number of ASVs), "
+                   "obstacles, or a number in the file that asv-generate --solvable has written "
+                   "beside each problem")
+        ->type_name("NAME");
     app.add_option("--theme", outputs.theme, "Colours of the plots: light or dark")
         ->check(CLI::IsMember({"light", "dark"}))
         ->capture_default_str();
 }
 
 void complete(BenchOutputs& outputs) {
-    std::vector<path> others{outputs.csv, outputs.json, outputs.ompl_log, outputs.database};
+    if (!outputs.page.empty() && !io::has_charts())
+        throw UsageError(
+            "--report: this program was built without charts; install Chart.js (Debian "
+            "package libjs-chart.js) and build it again");
+    if (!outputs.plots.back().files.empty() && outputs.parameter.empty())
+        throw UsageError("--parameter-plot wants --parameter NAME");
+    std::vector<path> others{outputs.csv, outputs.json, outputs.page, outputs.ompl_log,
+                             outputs.database};
     for (const BenchOutputs::Plots& plots : outputs.plots)
         for (const path& file : plots.files) {
             static_cast<void>(format_of(file, plots.option));
@@ -142,13 +161,15 @@ void add_roles(const BenchOutputs& outputs, FileRoles& roles) {
     roles.add_output("--table", outputs.table);
     roles.add_output("--csv", outputs.csv);
     roles.add_output("--json", outputs.json);
+    roles.add_output("--report", outputs.page);
     roles.add_output("--database", outputs.database);
     for (const BenchOutputs::Plots& plots : outputs.plots)
         for (const path& file : plots.files) roles.add_output(plots.option, file);
 }
 
 void require_places(const BenchOutputs& outputs) {
-    std::vector<std::string> files{outputs.csv, outputs.json, outputs.ompl_log, outputs.database};
+    std::vector<std::string> files{outputs.csv, outputs.json, outputs.page, outputs.ompl_log,
+                                   outputs.database};
     if (outputs.table != io::standard_stream) files.push_back(outputs.table);
     for (const BenchOutputs::Plots& plots : outputs.plots)
         for (const path& file : plots.files) files.push_back(file.string());

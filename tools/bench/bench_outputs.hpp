@@ -16,16 +16,18 @@ namespace asv::tools {
 
 /// The files that a benchmark writes; an empty name stands for none.
 struct BenchOutputs {
-    std::string table, csv, json, ompl_log, database;
+    std::string table, csv, json, page, ompl_log, database;
     /// A kind of picture and its files.
     struct Plots {
         const char* option;
         std::string (*draw)(const io::BenchmarkReport&, io::PictureFormat, io::Theme);
         std::vector<std::filesystem::path> files;
     };
-    std::array<Plots, 3> plots{{{"--plot", io::draw_benchmark, {}},
+    std::array<Plots, 4> plots{{{"--plot", io::draw_benchmark, {}},
                                 {"--profile", io::draw_profiles, {}},
-                                {"--anytime", io::draw_costs_over_time, {}}}};
+                                {"--anytime", io::draw_costs_over_time, {}},
+                                {"--parameter-plot", io::draw_parameter, {}}}};
+    std::string parameter;        ///< of the problems, to draw curves over; empty for none
     std::string theme = "light";  ///< of the plots
     io::Columns columns = io::default_columns();
 };
@@ -33,7 +35,7 @@ struct BenchOutputs {
 void add_output_options(CLI::App& app, BenchOutputs& outputs);
 
 /// Sends the table to standard output where nothing else goes there. Throws UsageError for a plot
-/// of a format that there is not.
+/// of a format that there is not, one over no parameter, and a page that this build cannot make.
 void complete(BenchOutputs& outputs);
 
 /// All but the logs, whose names depend on the problems; see log_files().

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "core/benchmark/parameter_curves.hpp"
+#include "io/problem/generation_file.hpp"
 #include "tools/bench/bench_plan.hpp"
 #include "tools/bench/records/earlier_runs.hpp"
 
@@ -33,16 +35,42 @@ bool read_earlier(const CommandLine& command_line, const BenchArguments& argumen
     return true;
 }
 
-}  // namespace
+/// Reads what the problems were generated with. Throws ReadError, ParseError.
+void read_generation(std::vector<core::BenchmarkProblem>& problems, const std::string& name) {
+    for (core::BenchmarkProblem& problem : problems)
+        if (!core::parameter_of(problem, name))
+            problem.parameters = io::read_parameters(problem.file + ".json");
+}
 
-bool prepare(const CommandLine& command_line, const BenchArguments& arguments, FileRoles& roles,
-             BenchTask& task) {
+/// Throws UsageError for a problem without the parameter.
+void require_parameter(const io::BenchmarkReport& report) {
+    if (report.parameter.empty()) return;
+    for (const core::BenchmarkProblem& problem : report.plan.problems)
+        if (!core::parameter_of(problem, report.parameter))
+            throw UsageError("--parameter " + report.parameter + ": " + problem.name +
+                             " has no such number");
+}
+
+bool read_task(const CommandLine& command_line, const BenchArguments& arguments, FileRoles& roles,
+               BenchTask& task) {
     if (!arguments.from.empty()) return read_earlier(command_line, arguments, roles, task);
     task.report.plan = arguments.plan;
     if (!read_problems(command_line, arguments.problems, arguments.reading, roles,
                        task.report.plan.problems))
         return false;
+    if (!arguments.outputs.parameter.empty())
+        read_generation(task.report.plan.problems, arguments.outputs.parameter);
     task.missing = core::places(task.report.plan);
+    return true;
+}
+
+}  // namespace
+
+bool prepare(const CommandLine& command_line, const BenchArguments& arguments, FileRoles& roles,
+             BenchTask& task) {
+    if (!read_task(command_line, arguments, roles, task)) return false;
+    task.report.parameter = arguments.outputs.parameter;
+    require_parameter(task.report);
     return true;
 }
 

@@ -3,32 +3,13 @@
 #include <cstddef>
 #include <span>
 #include <string>
-#include <vector>
 
-#include "geometry/primitives.hpp"
-#include "io/benchmark/plot/plot_axis.hpp"
+#include "io/benchmark/plot/curve_data.hpp"
 #include "io/benchmark/report.hpp"
 #include "io/drawing/paint/canvas.hpp"
 #include "io/drawing/paint/palette.hpp"
 
 namespace asv::io {
-
-/// A planner's line in the units of the axes; empty where nothing is known.
-struct Curve {
-    std::size_t planner = 0;
-    std::vector<geometry::Point> line;
-    std::vector<geometry::Point> band;  ///< an outline around the line; may be empty
-};
-
-/// A field with curves and, beside it, what their colours and marks stand for.
-struct CurvePanel {
-    std::string title, facts;
-    std::string caption;  ///< above the field: what goes up
-    std::string name;     ///< below the field: what goes to the right
-    Axis x, y;            ///< their places on the page are not looked at
-    std::vector<Tick> x_ticks, y_ticks;
-    std::vector<Curve> curves;
-};
 
 /// The bytes of a page with the panels one below the other. Throws std::runtime_error when cairo
 /// fails. Precondition: no more panels than curve_panels_on_page().

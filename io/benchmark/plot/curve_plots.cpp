@@ -1,143 +1,16 @@
 #include "io/benchmark/plot/curve_plots.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <span>
+#include <vector>
 
-#include "core/benchmark/curves.hpp"
+#include "io/benchmark/plot/curve_data.hpp"
 #include "io/benchmark/plot/curve_panel.hpp"
-#include "io/benchmark/wording.hpp"
+#include "io/benchmark/plot/parameter_panels.hpp"
 
 namespace asv::io {
 
-namespace {
-
-using core::BenchmarkRun;
-using core::CostQuartiles;
-using geometry::Point;
-using Runs = std::span<const BenchmarkRun>;
-
-/// Steps up at each factor, then level to the right end.
-std::vector<Point> profile_line(const core::PerformanceProfile& profile, double greatest) {
-    std::vector<Point> line;
-    double share = 0;
-    for (const double factor : profile.factors) {
-        line.push_back({factor, share});
-        share += 1 / static_cast<double>(profile.tasks);
-        line.push_back({factor, share});
-    }
-    if (!line.empty()) line.push_back({greatest, share});
-    return line;
-}
-
-/// The runs of one problem in one direction, which stand one after the other.
-std::vector<Runs> tasks_of(Runs runs) {
-    std::vector<Runs> tasks;
-    for (std::size_t begin = 0, end = 0; begin < runs.size(); begin = end) {
-        while (end < runs.size() && runs[end].place.problem == runs[begin].place.problem &&
-               runs[end].place.direction == runs[begin].place.direction)
-            ++end;
-        tasks.push_back(runs.subspan(begin, end - begin));
-    }
-    return tasks;
-}
-
-/// Equally far apart on a logarithmic axis, from the first path of any run to the end of the last.
-std::vector<double> times_of(Runs task) {
-    constexpr double shortest = 1e-6;
-    constexpr std::size_t count = 120;
-    double least = HUGE_VAL, greatest = shortest;
-    for (const BenchmarkRun& run : task) {
-        if (!run.solved()) continue;
-        least = std::min(least, std::max(shortest, run.spent.time_to_first));
-        greatest = std::max(greatest, run.spent.time_total);
-    }
-    least = std::min(least, greatest);
-    std::vector<double> times;
-    for (std::size_t i = 0; i < count; ++i)
-        times.push_back(least * std::pow(greatest / least,
-                                         static_cast<double>(i) / static_cast<double>(count - 1)));
-    return times;
-}
-
-/// The greatest lower bound known; 0 where there is none.
-double bound_of(Runs task) {
-    double bound = 0;
-    for (const BenchmarkRun& run : task) bound = std::max(bound, run.spent.cost_lower_bound);
-    return std::isfinite(bound) ? bound : 0;
-}
-
-Curve cost_curve(std::size_t planner, Runs runs, std::span<const double> times, double unit) {
-    const std::vector<CostQuartiles> costs = core::cost_over_time(runs, times);
-    Curve curve{planner, {}, {}};
-    std::vector<Point> below;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        if (!costs[i].median.censored)
-            curve.line.push_back({times[i], costs[i].median.value / unit});
-        if (costs[i].upper.censored) continue;
-        curve.band.push_back({times[i], costs[i].upper.value / unit});
-        below.push_back({times[i], costs[i].lower.value / unit});
-    }
-    curve.band.insert(curve.band.end(), below.rbegin(), below.rend());
-    return curve;
-}
-
-std::vector<Curve> cost_curves(Runs task, std::span<const double> times, double unit) {
-    std::vector<Curve> curves;
-    for (std::size_t begin = 0, end = 0; begin < task.size(); begin = end) {
-        const std::size_t planner = task[begin].place.planner;
-        while (end < task.size() && task[end].place.planner == planner) ++end;
-        curves.push_back(cost_curve(planner, task.subspan(begin, end - begin), times, unit));
-    }
-    return curves;
-}
-
-/// Around all that is drawn; 0 to 1 where that is nothing.
-Axis cost_range(std::span<const Curve> curves) {
-    double least = HUGE_VAL, greatest = -HUGE_VAL;
-    for (const Curve& curve : curves)
-        for (const auto* points : {&curve.line, &curve.band})
-            for (const Point& point : *points) {
-                least = std::min(least, point.y);
-                greatest = std::max(greatest, point.y);
-            }
-    return least > greatest ? Axis{} : cost_axis(least, greatest, 0, 1);
-}
-
-CurvePanel cost_panel(const core::BenchmarkPlan& plan, Runs task) {
-    const core::BenchmarkProblem& problem = plan.problems[task[0].place.problem];
-    const std::vector<double> times = times_of(task);
-    const double bound = bound_of(task);
-    CurvePanel panel;
-    panel.title = problem.name + ", " + std::string(core::name(task[0].place.direction));
-    panel.facts = problem_facts(problem.problem, bound);
-    panel.caption = std::string("cost of the best path") + (bound > 0 ? " / least possible" : "") +
-                    ": median and quartiles of the runs";
-    panel.name = "time of the run";
-    panel.curves = cost_curves(task, times, bound > 0 ? bound : 1);
-    panel.x = time_axis(times.front(), times.back(), 0, 1);
-    panel.x_ticks = time_ticks(panel.x);
-    panel.y = cost_range(panel.curves);
-    panel.y_ticks = cost_ticks(panel.y);
-    return panel;
-}
-
-}  // namespace
-
 std::string draw_profiles(const BenchmarkReport& report, PictureFormat format, Theme theme) {
-    const auto profiles = core::performance_profiles(report.plan, report.runs);
-    double greatest = 2;  // some room where all are equal
-    for (const core::PerformanceProfile& profile : profiles)
-        if (!profile.factors.empty()) greatest = std::max(greatest, profile.factors.back());
-    CurvePanel panel;
-    panel.caption = "share of problems and directions";
-    panel.name = "median time to the first path / that of the best planner, at most";
-    panel.x = time_axis(1, greatest, 0, 1);
-    panel.x_ticks = factor_ticks(panel.x);
-    panel.y = {0, 1.02, 0, 1, false};  // so that a line along the top is seen
-    panel.y_ticks = share_ticks();
-    for (const core::PerformanceProfile& profile : profiles)
-        panel.curves.push_back({profile.planner, profile_line(profile, panel.x.high), {}});
+    const CurvePanel panel = profile_panel(report);
     return draw_curve_panels(report, "Performance profiles", std::span(&panel, 1), format, theme);
 }
 
@@ -153,6 +26,11 @@ std::string draw_costs_over_time(const BenchmarkReport& report, PictureFormat fo
     std::vector<CurvePanel> panels;
     for (const Runs& task : tasks) panels.push_back(cost_panel(report.plan, task));
     return draw_curve_panels(report, title, panels, format, theme);
+}
+
+std::string draw_parameter(const BenchmarkReport& report, PictureFormat format, Theme theme) {
+    const std::vector<CurvePanel> panels = parameter_panels(report);
+    return draw_curve_panels(report, "Over " + panels[0].name, panels, format, theme);
 }
 
 }  // namespace asv::io

@@ -19,4 +19,8 @@ std::string draw_profiles(const BenchmarkReport& report, PictureFormat format, T
 /// Throws std::runtime_error when cairo fails.
 std::string draw_costs_over_time(const BenchmarkReport& report, PictureFormat format, Theme theme);
 
+/// The bytes of a picture of median time and success over the report's parameter of the problems.
+/// Throws std::runtime_error when cairo fails.
+std::string draw_parameter(const BenchmarkReport& report, PictureFormat format, Theme theme);
+
 }  // namespace asv::io

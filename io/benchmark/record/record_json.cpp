@@ -36,13 +36,15 @@ ordered_json part_json(const BenchmarkSession& session) {
 
 ordered_json problems_json(const core::BenchmarkPlan& plan) {
     ordered_json list = ordered_json::array();
-    for (const core::BenchmarkProblem& problem : plan.problems)
+    for (const core::BenchmarkProblem& problem : plan.problems) {
         list.push_back({{"name", problem.name},
                         {"file", problem.file},
                         {"body", name(problem.problem.body_kind())},
                         {"asv_count", problem.problem.asv_count()},
                         {"obstacle_count", problem.problem.obstacles.size()},
                         {"digest", problem.digest}});
+        for (const auto& [key, value] : problem.parameters) list.back()["parameters"][key] = value;
+    }
     return list;
 }
 

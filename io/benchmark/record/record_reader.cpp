@@ -98,13 +98,23 @@ core::Problem outline(core::BodyKind body, std::size_t asv_count, std::size_t ob
     return problem;
 }
 
+std::vector<std::pair<std::string, double>> read_parameters(const JsonDocument& document,
+                                                            const Pointer& at) {
+    std::vector<std::pair<std::string, double>> parameters;
+    for (const std::string& name : document.members(at))
+        parameters.emplace_back(name, document.number(at / name));
+    return parameters;
+}
+
 core::BenchmarkProblem read_problem(const JsonDocument& document, const Pointer& at) {
     const auto body = static_cast<core::BodyKind>(choice(document, at / "body", body_names));
     // An arm has one point more than links.
     return {document.text(at / "name"), document.text(at / "file"),
             outline(body, count(document, at / "asv_count", 1, max_asvs + 1),
                     count(document, at / "obstacle_count", 0, max_obstacles)),
-            document.text(at / "digest")};
+            document.text(at / "digest"),
+            document.has(at / "parameters") ? read_parameters(document, at / "parameters")
+                                            : core::BenchmarkProblem{}.parameters};
 }
 
 std::vector<std::string> read_command(const JsonDocument& document, const Pointer& at) {

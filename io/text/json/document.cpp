@@ -108,6 +108,13 @@ void JsonDocument::require_members(const Pointer& at,
     }
 }
 
+std::vector<std::string> JsonDocument::members(const Pointer& at) const {
+    require_object(at);
+    std::vector<std::string> names;
+    for (const auto& [key, value] : root_.at(at).items()) names.push_back(key);
+    return names;
+}
+
 const Json& JsonDocument::array(const Pointer& at) const {
     if (!has(at) || !root_.at(at).is_array()) fail(at, "an array");
     return root_.at(at);

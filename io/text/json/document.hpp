@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -44,6 +45,9 @@ class JsonDocument {
     /// Likewise, unless it has all needed members and no others than these and the optional ones.
     void require_members(const Pointer& at, std::initializer_list<std::string_view> needed,
                          std::initializer_list<std::string_view> optional) const;
+
+    /// The names of the object there, in the order of letters. Throws ParseError for anything else.
+    std::vector<std::string> members(const Pointer& at) const;
 
     /// The value there; each throws ParseError when it is missing or something else.
     const Json& array(const Pointer& at) const;

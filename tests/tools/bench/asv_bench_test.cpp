@@ -87,15 +87,56 @@ TEST(BenchProgram, WritesEveryFileAndNothingElse) {
     const auto in = [&](const char* name) { return (folder / name).string(); };
     const Outcome outcome =
         bench({testcase_file("3ASV.txt"), testcase_file("3ASV-x4.txt")},
-              {"--table", in("b.md"), "--csv", in("b.csv"), "--json", in("b.json"), "--database",
-               in("b.db"), "--ompl-log", in("b.log"), "--plot", in("b.svg"), "--plot", in("b.png"),
-               "--profile", in("p.svg"), "--anytime", in("a.pdf")});
+              {"--table",          in("b.md"),   "--csv",     in("b.csv"),   "--json",
+               in("b.json"),       "--database", in("b.db"),  "--ompl-log",  in("b.log"),
+               "--plot",           in("b.svg"),  "--plot",    in("b.png"),   "--profile",
+               in("p.svg"),        "--anytime",  in("a.pdf"), "--parameter", "obstacles",
+               "--parameter-plot", in("o.svg")});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(folder.entries(), 10);
+    EXPECT_EQ(folder.entries(), 11);
     for (const char* name : {"b.md", "b.csv", "b.json", "b.db", "b-3ASV.log", "b-3ASV-x4.log",
-                             "b.svg", "b.png", "p.svg", "a.pdf"})
+                             "b.svg", "b.png", "p.svg", "a.pdf", "o.svg"})
         EXPECT_GT(std::filesystem::file_size(folder / name), 100U) << name;
+}
+
+TEST(BenchProgram, WritesAPageOrSaysThatItCannot) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "b.html").string();
+    const Outcome outcome = bench({testcase_file("3ASV.txt")}, {"--report", file});
+    if (outcome.exit_code == 2) {
+        EXPECT_NE(outcome.err.find("built without charts"), std::string::npos) << outcome.err;
+        EXPECT_EQ(folder.entries(), 0);
+        return;
+    }
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(io::read_file(file).find("<title>Benchmark: 1 planner on 1 problem</title>"),
+              std::string::npos);
+}
+
+/// What asv-generate has written beside the problem, kept in the file of the runs.
+TEST(BenchProgram, DrawsCurvesOverAParameterOfTheGenerator) {
+    const TemporaryFolder folder;
+    const auto in = [&](const char* name) { return (folder / name).string(); };
+    for (const char* height : {"2", "3"})
+        ASSERT_EQ(run_program("asv-generate", {"corridor", "-n", "3", "--height-factor", height,
+                                               "--solvable", "--quiet", "-o", in(height)})
+                      .exit_code,
+                  0);
+    ASSERT_EQ(bench({in("2"), in("3")}, {"--parameter", "height-factor", "--json", in("b.json")})
+                  .exit_code,
+              0);
+    EXPECT_EQ(
+        json::parse(io::read_file(in("b.json")))["problems"][1]["parameters"]["height-factor"], 3);
+    EXPECT_EQ(run_program("asv-bench", {"--from", in("b.json"), "--parameter", "height-factor",
+                                        "--parameter-plot", in("h.svg")})
+                  .exit_code,
+              0);
+    EXPECT_NE(io::read_file(in("h.svg")).find("Over height-factor"), std::string::npos);
+    const Outcome none = run_program("asv-bench", {"--from", in("b.json"), "--parameter", "magic"});
+    EXPECT_EQ(none.exit_code, 2);
+    EXPECT_NE(none.err.find("--parameter magic: 2 has no such number"), std::string::npos)
+        << none.err;
 }
 
 TEST(BenchProgram, WritesTablesForPrint) {
@@ -147,6 +188,7 @@ TEST(BenchProgram, WrongUsageNamesWhatThereIs) {
         {{"--plot", "b.gif"}, "must end in .svg, .png or .pdf"},
         {{"--columns", "solved,magic"}, "there is no column 'magic'; there are solved, rate"},
         {{"--direction", "sideways"}, "forward"},
+        {{"--parameter-plot", "b.svg"}, "--parameter-plot wants --parameter NAME"},
         {{"--seeds", "0"}, "--seeds"},
         {{"--time-limit", "nan"}, "'nan' is not a decimal number"}};
     for (const auto& [options, message] : cases) {

@@ -52,9 +52,11 @@ std::string refusal(std::vector<NamedReport> reports) {
 }
 
 TEST(ParseRuns, GivesBackWhatWasWritten) {
-    const BenchmarkReport report = sample();
+    BenchmarkReport report = sample();
+    report.plan.problems[1].parameters = {{"height-factor", 1.3}, {"walls", 2}};
     const BenchmarkReport again = parse_runs(runs_json(report), "b.json");
     EXPECT_EQ(runs_json(again), runs_json(report));
+    EXPECT_EQ(again.plan.problems[1].parameters, report.plan.problems[1].parameters);
     EXPECT_EQ(runs_csv(again), runs_csv(report));
     EXPECT_EQ(markdown_table(again), markdown_table(report));
 }

@@ -1,0 +1,46 @@
+# cmake -DOUTPUT=FILE.cpp -DHEADER=FILE.hpp -DNAMESPACE=NAME -DASSETS="NAME=FILE,FILE... NAME=..." -P embed.cmake
+#
+# Writes files into one C++ source: for each name a string of its files one after the other, as raw
+# string literals of a few kilobytes each, which every compiler takes; adjacent ones are joined by it. They
+# are cut at line ends, or behind a comma where a line is longer, so never within a letter.
+
+set(piece_length 8000)
+
+function(append_literal name files)
+  set(text "")
+  foreach(file IN LISTS files)
+    file(READ ${file} content)
+    string(APPEND text "${content}")
+  endforeach()
+  set(literal "")
+  if(text STREQUAL "")
+    set(literal " \"\"")
+  endif()
+  string(LENGTH "${text}" rest)
+  while(rest GREATER 0)
+    string(SUBSTRING "${text}" 0 ${piece_length} piece)
+    if(rest GREATER piece_length)
+      string(FIND "${piece}" "\n" end REVERSE)
+      if(end EQUAL -1)
+        string(FIND "${piece}" "," end REVERSE)
+      endif()
+      math(EXPR end "${end} + 1")
+      string(SUBSTRING "${text}" 0 ${end} piece)
+    endif()
+    string(LENGTH "${piece}" used)
+    string(SUBSTRING "${text}" ${used} -1 text)
+    string(LENGTH "${text}" rest)
+    string(APPEND literal "\n    R\"asset(${piece})asset\"")
+  endwhile()
+  file(APPEND ${OUTPUT}.new "const std::string_view ${name} =${literal};\n\n")
+endfunction()
+
+file(WRITE ${OUTPUT}.new "#include \"${HEADER}\"\n\nnamespace ${NAMESPACE} {\n\n")
+separate_arguments(ASSETS)
+foreach(asset IN LISTS ASSETS)
+  string(REGEX MATCH "^([a-z_]+)=(.*)$" matched "${asset}")
+  string(REPLACE "," ";" files "${CMAKE_MATCH_2}")
+  append_literal(${CMAKE_MATCH_1} "${files}")
+endforeach()
+file(APPEND ${OUTPUT}.new "}  // namespace ${NAMESPACE}\n")
+file(RENAME ${OUTPUT}.new ${OUTPUT})
