@@ -35,6 +35,7 @@ class BodySampler : public ob::StateSampler {
         const Row middle = body_space_.row(near);
         std::vector<double> row(middle.size());
         body_space_.body().perturb(rng_of_library_, middle, distance, row);
+        row = unwrapped(row, middle, body_space_.body().wrapping());
         // The direction is that of a normal draw; the length of an even draw from a ball.
         const double drawn = body_space_.body().distance(middle, row);
         const double wanted =

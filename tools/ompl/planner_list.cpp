@@ -20,7 +20,6 @@
 #include <ompl/geometric/planners/prm/PRMstar.h>
 #include <ompl/geometric/planners/rrt/BiTRRT.h>
 #include <ompl/geometric/planners/rrt/InformedRRTstar.h>
-#include <ompl/geometric/planners/rrt/LBTRRT.h>
 #include <ompl/geometric/planners/rrt/LazyRRT.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
@@ -59,7 +58,6 @@ constexpr Entry entries[] = {{"ABITstar", make<og::ABITstar>},
                              {"InformedRRTstar", make<og::InformedRRTstar>},
                              {"KPIECE1", make<og::KPIECE1>},
                              {"LBKPIECE1", make<og::LBKPIECE1>},
-                             {"LBTRRT", make<og::LBTRRT>},
                              {"LazyPRM", make<og::LazyPRM>},
                              {"LazyPRMstar", make<og::LazyPRMstar>},
                              {"LazyRRT", make<og::LazyRRT>},
@@ -103,7 +101,13 @@ void set_parameter(ob::Planner& planner, const std::string& name, const std::str
         throw std::invalid_argument(planner.getName() + " has no parameter '" + name +
                                     "'; it has " + joined(names));
     }
-    if (!parameters.setParam(name, value))
+    bool taken = false;
+    try {
+        taken = parameters.setParam(name, value);
+    } catch (const std::runtime_error&) {
+        // OMPL cannot read it as a number.
+    }
+    if (!taken)
         throw std::invalid_argument("OMPL does not take '" + value + "' for " + name + " of " +
                                     planner.getName() + "; it suggests " +
                                     parameters.getParam(name)->getRangeSuggestion());

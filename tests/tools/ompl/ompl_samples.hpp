@@ -1,13 +1,6 @@
 #pragma once
 
-#include <chrono>
-
-#include <ompl/base/PlannerTerminationCondition.h>
-#include <ompl/geometric/PathGeometric.h>
-#include <ompl/util/Console.h>
-
 #include "tests/kit/chains/problems.hpp"
-#include "tools/ompl/ompl_problem.hpp"
 
 namespace asv::test {
 
@@ -25,18 +18,6 @@ inline core::Problem before_a_thin_wall() {
     problem.goal = {{0.9, 0.5}};
     problem.obstacles = {{{0.4999, 0.0}, {0.5001, 0.9}}};
     return problem;
-}
-
-/// The solution path of a definition; null where there is none from the start to the goal.
-inline const ompl::geometric::PathGeometric* exact_path(
-    const ompl::base::ProblemDefinition& definition) {
-    if (!definition.hasExactSolution()) return nullptr;
-    return dynamic_cast<const ompl::geometric::PathGeometric*>(definition.getSolutionPath().get());
-}
-
-/// Long enough for every planner on a busy machine, and an end for one that fails.
-inline ompl::base::PlannerTerminationCondition patience() {
-    return ompl::base::timedPlannerTerminationCondition(std::chrono::duration<double>(30));
 }
 
 }  // namespace asv::test

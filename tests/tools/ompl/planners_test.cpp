@@ -5,11 +5,13 @@
 
 #include <gtest/gtest.h>
 #include <ompl/geometric/SimpleSetup.h>
+#include <ompl/util/Console.h>
 
 #include "core/validation/validate.hpp"
 #include "tests/kit/files/text.hpp"
 #include "tests/tools/ompl/ompl_samples.hpp"
 #include "tools/ompl/asv_planner.hpp"
+#include "tools/ompl/ompl_problem.hpp"
 #include "tools/ompl/planner_list.hpp"
 
 /// OMPL's planners on our problems, and ours among OMPL's.
@@ -20,6 +22,18 @@ namespace {
 using adaptor::Goodness;
 using adaptor::OmplProblem;
 namespace ob = ompl::base;
+
+/// The solution path of a definition; null where there is none from the start to the goal.
+const ompl::geometric::PathGeometric* exact_path(const ob::ProblemDefinition& definition) {
+    if (!definition.hasExactSolution()) return nullptr;
+    return dynamic_cast<const ompl::geometric::PathGeometric*>(definition.getSolutionPath().get());
+}
+
+/// Long enough for every planner on a busy machine, and an end for one that fails.
+ob::PlannerTerminationCondition patience() {
+    constexpr double seconds = 30;
+    return ob::timedPlannerTerminationCondition(seconds);
+}
 
 /// Of the whole path, the motion between its steps included.
 void expect_valid(const OmplProblem& adapted, const ompl::geometric::PathGeometric& path,
@@ -104,6 +118,7 @@ TEST_F(AsvAsOmplPlanner, PlansFromOtherStates) {
     const auto definition = std::make_shared<ob::ProblemDefinition>(adapted.space_information());
     definition->setStartAndGoalStates(adapted.goal(), adapted.start());
     adaptor::AsvPlanner planner(adapted.space_information());
+    planner.set_optimize(0);
     planner.setProblemDefinition(definition);
     EXPECT_EQ(planner.solve(patience()), ob::PlannerStatus::EXACT_SOLUTION);
     const auto* path = exact_path(*definition);

@@ -10,6 +10,7 @@
 #include "tests/tools/ompl/ompl_samples.hpp"
 #include "tools/ompl/body_checks.hpp"
 #include "tools/ompl/body_space.hpp"
+#include "tools/ompl/ompl_problem.hpp"
 
 /// The space of a body as OMPL sees it.
 
