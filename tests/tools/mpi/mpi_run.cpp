@@ -18,15 +18,20 @@ std::string content(const fs::path& file) {
     return text.str();
 }
 
-/// Of the parent of a process: "mpirun".
-std::string name_of_parent(const fs::path& process) {
+/// The folder of its parent in /proc.
+fs::path parent_of(const fs::path& process) {
     const std::string status = content(process / "stat");
     const std::size_t end_of_name = status.rfind(')');
     if (end_of_name == std::string::npos) return {};
     std::istringstream rest(status.substr(end_of_name + 1));
     std::string state, parent;
     rest >> state >> parent;
-    return content(fs::path("/proc") / parent / "comm");
+    return fs::path("/proc") / parent;
+}
+
+/// Is this in the environment that the process was started with?
+bool has(const fs::path& process, const std::string& entry) {
+    return content(process / "environ").find(entry) != std::string::npos;
 }
 
 }  // namespace
@@ -45,11 +50,10 @@ bool kill_rank(int rank, const std::string& word) {
     for (const fs::directory_entry& process : fs::directory_iterator("/proc")) {
         const std::string number = process.path().filename().string();
         if (number.find_first_not_of("0123456789") != std::string::npos) continue;
-        if (content(process / fs::path("environ")).find(entry) == std::string::npos) continue;
-        if (content(process / fs::path("cmdline")).find(word) == std::string::npos) continue;
+        if (!has(process.path(), entry)) continue;
+        if (content(process.path() / "cmdline").find(word) == std::string::npos) continue;
         // A rank has children with the same arguments.
-        if (name_of_parent(process).starts_with("mpirun"))
-            return ::kill(std::stoi(number), SIGKILL) == 0;
+        if (!has(parent_of(process.path()), entry)) return ::kill(std::stoi(number), SIGKILL) == 0;
     }
     return false;
 }
