@@ -85,7 +85,11 @@ std::vector<Summary> summarise(const BenchmarkPlan& plan, std::span<const Benchm
                 std::vector<BenchmarkRun> row;
                 for (const BenchmarkRun& run : runs)
                     if (of_one_row(run.place, {problem, planner, direction, 0})) row.push_back(run);
-                if (!row.empty()) summaries.push_back(summary_of(row, plan.time_limit));
+                if (row.empty()) continue;
+                summaries.push_back(summary_of(row, plan.time_limit));
+                // Another program does not tell what it does inside.
+                if (plan.planners[planner].external())
+                    summaries.back().nodes = summaries.back().state_checks = {};
             }
     return summaries;
 }

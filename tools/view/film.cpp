@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "tools/common/command_line.hpp"
+#include "tools/common/descriptor.hpp"
 
 extern char** environ;
 
@@ -33,29 +34,11 @@ constexpr const char* film_file = "/dev/fd/3";
     throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// An open file that is closed at the end.
-class Descriptor {
-  public:
-    explicit Descriptor(int number) : number_(number) {
-        if (number < 0) fail("a film");
-    }
-    ~Descriptor() { close(); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    int number() const { return number_; }
-    void close() {
-        if (number_ >= 0) ::close(number_);
-        number_ = -1;
-    }
-
-  private:
-    int number_;
-};
-
 /// Whatever ends this program, no file is left behind.
 int file_in_memory(const char* name) {
-    return ::memfd_create(name, MFD_CLOEXEC);
+    const int number = ::memfd_create(name, MFD_CLOEXEC);
+    if (number < 0) fail("a film");
+    return number;
 }
 
 std::string content(const Descriptor& file) {

@@ -43,6 +43,16 @@ TEST(Summarise, CostsAndWorkAreOfSolvedRunsAlone) {
     EXPECT_DOUBLE_EQ(summary.median_cost.high, 8);
 }
 
+TEST(Summarise, TheWorkInsideAnotherProgramIsUnknown) {
+    BenchmarkPlan plan = one_problem_two_planners();
+    plan.planners[0].command = {"another", "{problem}", "{solution}"};
+    const std::vector<BenchmarkRun> runs{run_of(1, RunStatus::solved, 1, 6, 4)};
+    const Summary summary = summarise(plan, runs).at(0);
+    EXPECT_EQ(summary.nodes.count, 0U);
+    EXPECT_EQ(summary.state_checks.count, 0U);
+    EXPECT_EQ(summary.cost.count, 1U);
+}
+
 TEST(Summarise, TheTimeToASolutionIsOfAllRuns) {
     const std::vector<BenchmarkRun> runs{run_of(1, RunStatus::timeout, 0, 0, 0),
                                          run_of(2, RunStatus::solved, 1, 6, 4),

@@ -21,6 +21,7 @@
 #include <unistd.h>
 
 #include "tools/bench/runs/process_end.hpp"
+#include "tools/common/descriptor.hpp"
 
 namespace asv::tools {
 
@@ -46,23 +47,6 @@ sigset_t signals_of_supervision() {
     sigaddset(&set, SIGTERM);
     return set;
 }
-
-/// An open file, closed on every way out.
-class Descriptor {
-  public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() { close(); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int number() const { return number_; }
-    void close() {
-        if (number_ >= 0) ::close(number_);
-        number_ = -1;
-    }
-
-  private:
-    int number_;
-};
 
 /// The program begins as a shell would start it, but in a process group of its own.
 [[noreturn]] void become(const std::vector<std::string>& words, pid_t supervisor, int errors,
