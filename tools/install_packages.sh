@@ -26,6 +26,7 @@ test_packages=(
     libbenchmark-dev               # benchmarks
     clang-format universal-ctags   # the form and the sizes of the sources
     gdb                            # the walk through the program
+    python3                        # links between pages
     ffmpeg                         # films
 )
 manual_packages=(

@@ -7,6 +7,9 @@
 
 namespace asv::core {
 
+/// The walls of a generated world before its passages are cut out.
+inline constexpr geometry::Box unit_square{{0, 0}, {1, 1}};
+
 /// What remains of a solid box when passages are cut out of it: all its maximal boxes, that is
 /// those that cannot grow without reaching into a passage. They overlap where walls meet, so there
 /// is no seam between them; they touch the passages. All sides are first rounded to 1e-9, so that

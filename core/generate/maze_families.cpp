@@ -11,8 +11,6 @@ namespace asv::core {
 
 namespace {
 
-const Box unit_square{{0, 0}, {1, 1}};
-
 Box hull(const Box& a, const Box& b) {
     return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
             {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};

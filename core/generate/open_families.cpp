@@ -14,8 +14,6 @@ using geometry::grown;
 
 namespace {
 
-const Box unit_square{{0, 0}, {1, 1}};
-
 /// The arm of a crossing from the border to the axis of the other road, or as far as a chain needs.
 Box arm_region(Branch arm, const Box& flat_road, const Box& upright_road, double needed) {
     const Point middle{(upright_road.low.x + upright_road.high.x) / 2,

@@ -11,7 +11,7 @@ namespace {
 using core::BenchmarkRun;
 
 /// Those of OMPL, then what only we tell.
-constexpr std::array<std::string_view, 13> words{
+constexpr std::array<std::string_view, 13> words_of_status{
     "Unknown status",  "Invalid start",        "Invalid goal",   "Unrecognized goal type",
     "Timeout",         "Approximate solution", "Exact solution", "Crash",
     "Abort",           "Infeasible",           "No path",        "Memory limit",
@@ -113,13 +113,13 @@ constexpr std::array<Attribute, 20> attributes{{
      [](const Report&, const Run& run) -> Value { return count(run.place.seed); }},
 }};
 
+}  // namespace
+
 std::string without_blanks(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) <= ' '; }, '_');
     return text;
 }
-
-}  // namespace
 
 std::vector<Experiment> experiments(const BenchmarkReport& report) {
     std::vector<Experiment> result;
@@ -157,7 +157,7 @@ std::string column_name(std::string_view attribute) {
 }
 
 std::span<const std::string_view> status_words() {
-    return words;
+    return words_of_status;
 }
 
 std::string setup_text(const BenchmarkReport& report, const Experiment& experiment) {

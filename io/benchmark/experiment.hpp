@@ -15,6 +15,9 @@
 
 namespace asv::io {
 
+/// The text with _ for each blank and each control character, since names of OMPL end with a blank.
+std::string without_blanks(std::string text);
+
 /// One problem in one direction: an experiment of Planner Arena.
 struct Experiment {
     std::string name;  ///< without blanks: "7ASV", "7ASV-reversed"

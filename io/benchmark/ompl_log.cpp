@@ -21,18 +21,13 @@ struct ValueText {
     std::string operator()(double value) const { return number(value); }
 };
 
-std::string without_blanks(const std::string& text) {
-    std::string result = text.empty() ? "unknown" : text;
-    std::replace(result.begin(), result.end(), ' ', '_');
-    return result;
-}
-
 std::string preamble(const BenchmarkReport& report, const Experiment& experiment) {
     const core::BenchmarkPlan& plan = report.plan;
     const BenchmarkSession& session = report.session;
     std::string text =
         "ASV version " + session.version + "\nExperiment " + experiment.name +
-        "\n0 experiment properties\nRunning on " + without_blanks(session.host) + "\nStarting at " +
+        "\n0 experiment properties\nRunning on " +
+        (session.host.empty() ? "unknown" : without_blanks(session.host)) + "\nStarting at " +
         utc_text(session.started) + "\n<<<|\n" + setup_text(report, experiment) + "|>>>\n<<<|\n" +
         session.cpu + ", " + std::to_string(session.processors) + " processors\n|>>>\n" +
         std::to_string(plan.first_seed) + " is the random seed\n" + number(plan.time_limit) +

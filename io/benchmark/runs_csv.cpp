@@ -12,7 +12,7 @@ namespace asv::io {
 
 namespace {
 
-constexpr std::string_view columns =
+constexpr std::string_view head_line =
     "problem,planner,settings,direction,seed,threads,status,reason,time_to_first_s,"
     "time_to_first_u,time_total_s,cost_first,cost_of_search,cost,cost_lower_bound,cost_ratio,"
     "primitive_steps,primitive_steps_lower_bound,tree_nodes,iterations,state_checks,edge_checks,"
@@ -20,7 +20,7 @@ constexpr std::string_view columns =
 
 /// A text that a spreadsheet would take for a formula gets an apostrophe in front; bytes that are
 /// no text are escaped.
-std::string harmless(std::string_view text) {
+std::string csv_words(std::string_view text) {
     constexpr std::string_view begins_formula = "=+-@\t\r";
     const bool formula = !text.empty() && begins_formula.find(text[0]) != std::string_view::npos;
     std::string cell(formula ? "'" : "");
@@ -32,7 +32,7 @@ class Line {
   public:
     void add(std::string_view words) {
         separate();
-        const std::string text = harmless(words);
+        const std::string text = csv_words(words);
         if (text.find_first_of(",\"\r\n") == std::string::npos) {
             text_ += text;
             return;
@@ -102,7 +102,7 @@ std::string line_of(const BenchmarkReport& report, const core::BenchmarkRun& run
 }  // namespace
 
 std::string runs_csv(const BenchmarkReport& report) {
-    std::string text{columns};
+    std::string text{head_line};
     for (const core::BenchmarkRun& run : report.runs) text += line_of(report, run);
     return text;
 }

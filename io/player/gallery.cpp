@@ -16,6 +16,7 @@
 #include "io/text/atomic_file.hpp"
 #include "io/text/markup.hpp"
 #include "io/text/natural_order.hpp"
+#include "io/text/number_text.hpp"
 #include "io/text/parse_error.hpp"
 
 namespace asv::io {
@@ -76,8 +77,8 @@ std::string address(std::string_view name) {
     std::string result;
     for (const char c : name) {
         const auto byte = static_cast<unsigned char>(c);
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                           (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) ||
+                           c == '-' || c == '_' || c == '.';
         if (plain) {
             result += c;
         } else {

@@ -12,34 +12,34 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json to_json(const ValidatedPart& part, core::Check check, const core::Offender& offender) {
-    ordered_json json = {{"state", offender.state}, {"line", part.line(check, offender)}};
+    ordered_json object = {{"state", offender.state}, {"line", part.line(check, offender)}};
     const auto add = [&](const char* key, const std::optional<std::size_t>& index) {
-        if (index) json[key] = *index + 1;
+        if (index) object[key] = *index + 1;
     };
     add("asv", offender.asv);
     add("broom", offender.broom);
     add("obstacle", offender.obstacle);
-    if (offender.time) json["time"] = *offender.time;
-    json["room"] = offender.room;
-    return json;
+    if (offender.time) object["time"] = *offender.time;
+    object["room"] = offender.room;
+    return object;
 }
 
 ordered_json to_json(const ValidatedPart& part, const std::vector<core::CheckResult>& results) {
-    ordered_json json = ordered_json::array();
+    ordered_json array = ordered_json::array();
     for (const core::CheckResult& result : results) {
         ordered_json offenders = ordered_json::array();
         for (const core::Offender& offender : result.offenders) {
             offenders.push_back(to_json(part, result.check, offender));
         }
-        json.push_back({{"check", core::name(result.check)},
-                        {"ok", result.ok()},
-                        {"states", result.states},
-                        {"failures", result.failures},
-                        {"worst", result.worst ? to_json(part, result.check, *result.worst)
-                                               : ordered_json(nullptr)},
-                        {"offenders", std::move(offenders)}});
+        array.push_back({{"check", core::name(result.check)},
+                         {"ok", result.ok()},
+                         {"states", result.states},
+                         {"failures", result.failures},
+                         {"worst", result.worst ? to_json(part, result.check, *result.worst)
+                                                : ordered_json(nullptr)},
+                         {"offenders", std::move(offenders)}});
     }
-    return json;
+    return array;
 }
 
 }  // namespace
@@ -50,21 +50,21 @@ bool ValidationSummary::valid() const {
 }
 
 void write_validation(const std::filesystem::path& file, const ValidationSummary& summary) {
-    ordered_json json = {{"problem", summary.problem},
+    ordered_json root = {{"problem", summary.problem},
                          {"solution", summary.solution.empty() ? ordered_json(nullptr)
                                                                : ordered_json(summary.solution)},
                          {"tolerance", summary.tolerance},
                          {"valid", summary.valid()},
                          {"parts", ordered_json::array()}};
     for (const ValidatedPart& part : summary.parts) {
-        json["parts"].push_back({{"name", part.name},
+        root["parts"].push_back({{"name", part.name},
                                  {"valid", part.report.valid()},
                                  {"cost", part.report.cost},
                                  {"checks", to_json(part, part.report.checks)},
                                  {"motion", to_json(part, part.report.motion)}});
     }
     // File names need not be UTF-8, as JSON is.
-    write_file(file, json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n');
+    write_file(file, root.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace asv::io

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "io/text/number_text.hpp"
+
 namespace asv::io {
 
 namespace {
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 /// Takes the number at the front of the text away, and returns it without leading zeros.
 std::string_view take_number(std::string_view& text) {

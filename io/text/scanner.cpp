@@ -8,6 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "io/text/number_text.hpp"
+
 namespace asv::io {
 namespace {
 
@@ -20,10 +22,6 @@ constexpr bool is_blank(char c) {
 
 constexpr bool ends_line(char c) {
     return c == '\n' || c == '\r';
-}
-
-constexpr bool is_digit(char c) {
-    return c >= '0' && c <= '9';
 }
 
 /// The word in quotes, at most longest_quote bytes of it, bytes that are not printable as \xNN.

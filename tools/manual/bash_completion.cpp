@@ -73,12 +73,6 @@ void write_settings(std::ostream& out, const std::string& function) {
         << "}\n\n";
 }
 
-bool takes_settings(const Command& command) {
-    for (const Argument& option : command.options)
-        if (option.value.kind == Value::Kind::setting) return true;
-    return false;
-}
-
 /// One branch for each option that takes a value; prefix: "maze:" for those of a family.
 void write_values(std::ostream& out, const Command& command, const std::string& function,
                   const std::string& prefix) {
@@ -142,7 +136,7 @@ std::string bash_completion(const Command& command) {
     std::ostringstream out;
     out << "# Made from the options of " << command.name << ", as --help prints them.\n"
         << "# shellcheck shell=bash disable=SC2154\n\n";
-    if (takes_settings(command)) write_settings(out, function);
+    if (takes(command, Value::Kind::setting)) write_settings(out, function);
     out << function << "()\n{\n"
         << "    local cur prev words cword split\n"
         << "    _init_completion -s || return\n"

@@ -1,5 +1,6 @@
 #include "tools/manual/command.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <string_view>
 
@@ -75,6 +76,11 @@ Command describe(const CLI::App& app) {
     for (const CLI::App* subcommand : app.get_subcommands([](const CLI::App*) { return true; }))
         command.subcommands.push_back(describe(*subcommand));
     return command;
+}
+
+bool takes(const Command& command, Value::Kind kind) {
+    return std::ranges::any_of(
+        command.options, [kind](const Argument& argument) { return argument.value.kind == kind; });
 }
 
 }  // namespace asv::tools::manual

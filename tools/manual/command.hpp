@@ -49,4 +49,7 @@ struct Command {
 /// What the program's arguments are. Hidden options (of the empty group) are left out.
 Command describe(const CLI::App& app);
 
+/// Whether an option of the command takes a value of this kind.
+bool takes(const Command& command, Value::Kind kind);
+
 }  // namespace asv::tools::manual

@@ -90,12 +90,6 @@ void write_settings(std::ostream& out, const std::string& function) {
         << "end\n\n";
 }
 
-bool takes(const Command& command, Value::Kind kind) {
-    for (const Argument& option : command.options)
-        if (option.value.kind == kind) return true;
-    return false;
-}
-
 void write_families(std::ostream& out, const Command& command) {
     std::vector<std::string> names;
     for (const Command& family : command.subcommands) names.push_back(family.name);

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cctype>
 #include <sstream>
 
@@ -168,12 +167,6 @@ void write_see_also(Page& page, const Command& command) {
     page.raw(line);
 }
 
-bool takes_settings(const Command& command) {
-    return std::ranges::any_of(command.options, [](const Argument& argument) {
-        return argument.value.kind == Value::Kind::setting;
-    });
-}
-
 }  // namespace
 
 std::string man_page(const Command& command, std::string_view version,
@@ -190,7 +183,7 @@ std::string man_page(const Command& command, std::string_view version,
     page.text(command.description);
     for (const std::string& paragraph : words.paragraphs) page.paragraph(paragraph);
     write_options(page, command);
-    if (takes_settings(command)) write_planners(page);
+    if (takes(command, Value::Kind::setting)) write_planners(page);
     page.section("EXIT STATUS");
     for (const Entry& code : exit_codes) page.item(bold(code.term), sentence(code.text));
     page.section("ENVIRONMENT");

@@ -103,12 +103,6 @@ void write_settings(std::ostream& out, const std::string& function) {
         << "}\n\n";
 }
 
-bool takes_settings(const Command& command) {
-    for (const Argument& option : command.options)
-        if (option.value.kind == Value::Kind::setting) return true;
-    return false;
-}
-
 /// The options of the family that stands in the line come to those of all.
 void write_families(std::ostream& out, const Command& command, const std::string& function) {
     out << "    local word family\n"
@@ -139,7 +133,7 @@ std::string zsh_completion(const Command& command) {
     std::ostringstream out;
     out << "#compdef " << command.name << "\n\n"
         << "# Made from the options of " << command.name << ", as --help prints them.\n\n";
-    if (takes_settings(command)) write_settings(out, function);
+    if (takes(command, Value::Kind::setting)) write_settings(out, function);
     out << function << "() {\n"
         << "    local -a arguments\n"
         << "    arguments=(\n";

@@ -30,14 +30,10 @@ constexpr const char* program = "ffmpeg";
 constexpr int film_number = 3;
 constexpr const char* film_file = "/dev/fd/3";
 
-[[noreturn]] void fail(const char* what) {
-    throw std::system_error(errno, std::generic_category(), what);
-}
-
 /// Whatever ends this program, no file is left behind.
 int file_in_memory(const char* name) {
     const int number = ::memfd_create(name, MFD_CLOEXEC);
-    if (number < 0) fail("a film");
+    if (number < 0) throw_errno("a film");
     return number;
 }
 
@@ -47,7 +43,7 @@ std::string content(const Descriptor& file) {
     for (;;) {
         const ssize_t count =
             ::pread(file.number(), part.data(), part.size(), static_cast<off_t>(bytes.size()));
-        if (count < 0 && errno != EINTR) fail("a film");
+        if (count < 0 && errno != EINTR) throw_errno("a film");
         if (count == 0) return bytes;
         if (count > 0) bytes.append(part.data(), static_cast<std::size_t>(count));
     }
@@ -140,7 +136,8 @@ std::string make_film(const io::Animation& animation, FilmFormat format,
                       unsigned pictures_per_second) {
     const Descriptor film(file_in_memory("film")), errors(file_in_memory("errors"));
     std::array<int, 2> ends{};
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail("a film");
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+        throw_errno("a film");
     Descriptor ours(ends[0]), theirs(ends[1]);
     const pid_t child = start(command(format, pictures_per_second), theirs, errors, film);
     theirs.close();

@@ -49,7 +49,7 @@ std::string paragraphs(const std::vector<std::string>& notes) {
     return text;
 }
 
-std::string tables(const ReportText& text) {
+std::string tables_markup(const ReportText& text) {
     std::string markup;
     for (const TextTable& table : text.tables) markup += table_markup(table);
     return markup;
@@ -81,7 +81,7 @@ std::string html_page(const BenchmarkReport& report, const Columns& columns) {
             page += "<p class=\"spoilt\">" + words_markup(text.spoilt) + "</p>\n";
         if (key == "NOTES") page += paragraphs(text.notes);
         if (key == "SUCCESS") page += success_markup(report);
-        if (key == "TABLES") page += tables(text);
+        if (key == "TABLES") page += tables_markup(text);
         if (key == "UNSOLVED") page += unsolved(text);
         if (key == "DATA") page += embeddable(chart_json(report));
         if (key == "LIBRARY") page += report_assets::library;

@@ -10,9 +10,9 @@ namespace asv::io {
 namespace {
 
 using core::BenchmarkRun;
-using Runs = std::vector<const BenchmarkRun*>;
+using RunPointers = std::vector<const BenchmarkRun*>;
 
-PlotSeries series_of(const Runs& runs, std::size_t planner, core::Direction direction,
+PlotSeries series_of(const RunPointers& runs, std::size_t planner, core::Direction direction,
                      bool relative) {
     PlotSeries series{planner, direction, 0, {}, {}};
     for (const BenchmarkRun* run : runs) {
@@ -27,7 +27,7 @@ PlotSeries series_of(const Runs& runs, std::size_t planner, core::Direction dire
     return series;
 }
 
-void fill(PlotPanel& panel, const core::BenchmarkPlan& plan, const Runs& runs) {
+void fill(PlotPanel& panel, const core::BenchmarkPlan& plan, const RunPointers& runs) {
     panel.relative = std::all_of(runs.begin(), runs.end(), [](const BenchmarkRun* run) {
         return !run->solved() || core::cost_ratio(*run);
     });
@@ -38,7 +38,7 @@ void fill(PlotPanel& panel, const core::BenchmarkPlan& plan, const Runs& runs) {
         }
 }
 
-double bound_of(const Runs& runs) {
+double bound_of(const RunPointers& runs) {
     double bound = 0;
     for (const BenchmarkRun* run : runs) bound = std::max(bound, run->spent.cost_lower_bound);
     return bound;
@@ -50,7 +50,7 @@ std::vector<PlotPanel> plot_panels(const BenchmarkReport& report, std::size_t mo
     const core::BenchmarkPlan& plan = report.plan;
     std::vector<PlotPanel> panels;
     if (plan.problems.size() > most) {
-        Runs all;
+        RunPointers all;
         for (const BenchmarkRun& run : report.runs) all.push_back(&run);
         panels.push_back(
             {"All " + std::to_string(plan.problems.size()) + " problems", {}, true, {}});
@@ -58,7 +58,7 @@ std::vector<PlotPanel> plot_panels(const BenchmarkReport& report, std::size_t mo
         return panels;
     }
     for (std::size_t problem = 0; problem < plan.problems.size(); ++problem) {
-        Runs runs;
+        RunPointers runs;
         for (const BenchmarkRun& run : report.runs)
             if (run.place.problem == problem) runs.push_back(&run);
         if (runs.empty()) continue;

@@ -55,7 +55,7 @@ std::string median_cost(const Summary& summary) {
                          short_number(summary.median_cost.high));
 }
 
-constexpr std::array<Column, 24> columns{{
+constexpr std::array<Column, 24> catalogue{{
     {"solved", "solved",
      [](const Summary& row, double) {
          return std::to_string(row.solved) + " of " + std::to_string(row.runs);
@@ -119,11 +119,11 @@ constexpr std::string_view usual_keys =
     "solved,rate,median-ms,q90-ms,par2-ms,median-u,checks,first-cost,cost-ci,ratio";
 
 const Column& column_named(std::string_view key) {
-    const auto found = std::find_if(columns.begin(), columns.end(),
+    const auto found = std::find_if(catalogue.begin(), catalogue.end(),
                                     [&](const Column& column) { return column.key == key; });
-    if (found != columns.end()) return *found;
+    if (found != catalogue.end()) return *found;
     std::string all;
-    for (const Column& column : columns) {
+    for (const Column& column : catalogue) {
         if (!all.empty()) all += ", ";
         all += column.key;
     }
@@ -133,7 +133,7 @@ const Column& column_named(std::string_view key) {
 }  // namespace
 
 std::span<const Column> all_columns() {
-    return columns;
+    return catalogue;
 }
 
 Columns default_columns() {

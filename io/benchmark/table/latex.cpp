@@ -45,7 +45,7 @@ std::string shown(char letter) {
     }
 }
 
-std::string harmless(std::string_view words) {
+std::string latex_words(std::string_view words) {
     std::string text;
     for (const char letter : escaped(words)) {
         if (letter == '-' && text.ends_with('-')) text += "{}";  // two would become a longer dash
@@ -59,25 +59,25 @@ std::string comment(std::string_view words) {
     return "% " + escaped(words) + "\n";
 }
 
-std::string line(const std::vector<std::string>& cells) {
+std::string latex_row(const std::vector<std::string>& cells) {
     std::string text;
-    for (const std::string& cell : cells) text += (text.empty() ? "  " : " & ") + harmless(cell);
+    for (const std::string& cell : cells) text += (text.empty() ? "  " : " & ") + latex_words(cell);
     return text + " \\\\\n";
 }
 
 std::string caption(const TextTable& table, const std::string& spoilt) {
     std::string text = table.title + (table.facts.empty() ? "." : ": " + table.facts);
     if (!spoilt.empty()) text += " " + spoilt;
-    return harmless(text);
+    return latex_words(text);
 }
 
 std::string tabular(const TextTable& table, const std::string& spoilt) {
     const std::string alignment = std::string(table.word_columns, 'l') +
                                   std::string(table.heads.size() - table.word_columns, 'r');
     std::string text = "\n\\begin{table}\n\\centering\n\\caption{" + caption(table, spoilt) +
-                       "}\n\\begin{tabular}{" + alignment + "}\n\\toprule\n" + line(table.heads) +
-                       "\\midrule\n";
-    for (const std::vector<std::string>& row : table.rows) text += line(row);
+                       "}\n\\begin{tabular}{" + alignment + "}\n\\toprule\n" +
+                       latex_row(table.heads) + "\\midrule\n";
+    for (const std::vector<std::string>& row : table.rows) text += latex_row(row);
     return text + "\\bottomrule\n\\end{tabular}\n\\end{table}\n";
 }
 

@@ -9,7 +9,7 @@ namespace asv::io {
 namespace {
 
 /// What would end a cell, or begin a tag, a link, a picture or code, is written in another way.
-std::string harmless(std::string_view words) {
+std::string markdown_words(std::string_view words) {
     constexpr std::string_view with_meaning = "|\\[]`";
     const std::string text = escaped(words);
     std::string result;
@@ -27,20 +27,21 @@ std::string harmless(std::string_view words) {
     return result;
 }
 
-std::string line(const std::vector<std::string>& cells) {
+std::string markdown_row(const std::vector<std::string>& cells) {
     std::string text = "|";
-    for (const std::string& cell : cells) text.append(" ").append(harmless(cell)).append(" |");
+    for (const std::string& cell : cells)
+        text.append(" ").append(markdown_words(cell)).append(" |");
     return text + "\n";
 }
 
 std::string table(const TextTable& table) {
-    std::string text = "\n### " + harmless(table.title) + "\n\n";
-    if (!table.facts.empty()) text += harmless(table.facts) + "\n\n";
-    text += line(table.heads) + "|";
+    std::string text = "\n### " + markdown_words(table.title) + "\n\n";
+    if (!table.facts.empty()) text += markdown_words(table.facts) + "\n\n";
+    text += markdown_row(table.heads) + "|";
     for (std::size_t i = 0; i < table.heads.size(); ++i)
         text += i < table.word_columns ? "---|" : "---:|";
     text += "\n";
-    for (const std::vector<std::string>& row : table.rows) text += line(row);
+    for (const std::vector<std::string>& row : table.rows) text += markdown_row(row);
     return text;
 }
 
@@ -49,11 +50,11 @@ std::string table(const TextTable& table) {
 std::string markdown(const ReportText& report) {
     std::string text;
     for (const std::string& note : report.notes)
-        text.append(text.empty() ? "" : "\n").append(harmless(note)).append("\n");
+        text.append(text.empty() ? "" : "\n").append(markdown_words(note)).append("\n");
     for (const TextTable& one : report.tables) text += table(one);
     if (!report.unsolved.empty()) text += "\nNot solved:\n\n";
     for (const std::string& entry : report.unsolved)
-        text.append("- ").append(harmless(entry)).append("\n");
+        text.append("- ").append(markdown_words(entry)).append("\n");
     return text;
 }
 

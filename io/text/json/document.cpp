@@ -31,7 +31,7 @@ std::string excerpt(const Json& value) {
 }
 
 /// What a message of the parser puts between single quotes: the token it speaks of.
-std::string quoted(const std::string& message) {
+std::string token_in(const std::string& message) {
     const std::size_t begin = message.find('\'') + 1;
     return message.substr(begin, message.rfind('\'') - begin);
 }
@@ -57,7 +57,7 @@ JsonDocument::JsonDocument(std::string_view text, std::string name)
         // The parser counts bytes from 1 and points at the byte that it could not use.
         fail_at(text, name_, error.byte == 0 ? 0 : error.byte - 1);
     } catch (const Json::out_of_range& error) {
-        const std::string number = quoted(error.what());
+        const std::string number = token_in(error.what());
         const TextPlace place = place_of_offset(text, std::min(text.find(number), text.size()));
         throw ParseError(name_, place.line, place.column, "a number within the range of a double",
                          number);

@@ -23,6 +23,7 @@
 #include "tools/bench/runs/process_end.hpp"
 #include "tools/bench/runs/run_bytes.hpp"
 #include "tools/bench/runs/supervised_process.hpp"
+#include "tools/common/descriptor.hpp"
 
 namespace asv::tools {
 
@@ -75,10 +76,6 @@ int wait_for(pid_t child, rusage& used) {
     return status;
 }
 
-[[noreturn]] void fail(const char* what) {
-    throw std::system_error(errno, std::generic_category(), what);
-}
-
 /// The process gets this signal when its parent ends.
 void follow(pid_t parent, int signal) {
     ::prctl(PR_SET_PDEATHSIG, signal);
@@ -119,11 +116,11 @@ BenchmarkRun lost_run(const Ending& ending, std::size_t memory_limit) {
 /// One run in a process of its own: what that has to tell, or what is to be told of its end.
 std::string bytes_of_run(const core::BenchmarkPlan& plan, const core::RunPlace& place) {
     std::array<int, 2> ends{};
-    if (::pipe(ends.data()) != 0) fail("pipe");
+    if (::pipe(ends.data()) != 0) throw_errno("pipe");
     const pid_t launcher = ::getpid();
     const auto begun = core::Clock::now();
     const pid_t child = ::fork();
-    if (child < 0) fail("fork");
+    if (child < 0) throw_errno("fork");
     if (child == 0) {
         // Who watches over another program has to end it first.
         const bool external = plan.planners[place.planner].external();
@@ -207,10 +204,11 @@ BenchmarkRun answered_run(const std::optional<std::string>& answer, const core::
 
 LauncherProcess::LauncherProcess(const std::function<void(int)>& serve) {
     std::array<int, 2> ends{};
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail("socketpair");
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+        throw_errno("socketpair");
     const pid_t program = ::getpid();
     id_ = ::fork();
-    if (id_ < 0) fail("fork");
+    if (id_ < 0) throw_errno("fork");
     if (id_ == 0) {
         follow(program, SIGKILL);
         be_launcher(serve, ends[1]);

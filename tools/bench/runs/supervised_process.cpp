@@ -32,10 +32,6 @@ using Clock = std::chrono::steady_clock;
 /// More than this of what a program says last is not kept.
 constexpr std::size_t longest_last_words = 200;
 
-[[noreturn]] void fail(const char* what) {
-    throw std::system_error(errno, std::generic_category(), what);
-}
-
 double seconds_since(Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
 }
@@ -145,15 +141,15 @@ SupervisedEnd run_supervised(const std::vector<std::string>& words, double most_
                              std::size_t megabytes) {
     const sigset_t set = signals_of_supervision();
     const Descriptor signals(::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK));
-    if (signals.number() < 0) fail("signalfd");
+    if (signals.number() < 0) throw_errno("signalfd");
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) fail("pipe");
+    if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) throw_errno("pipe");
     const Descriptor errors(ends[0]);
     Descriptor other_end(ends[1]);
     const pid_t supervisor = ::getpid();
     const auto begun = Clock::now();
     const pid_t process = ::fork();
-    if (process < 0) fail("fork");
+    if (process < 0) throw_errno("fork");
     if (process == 0) become(words, supervisor, ends[1], megabytes);
     ::setpgid(process, process);
     other_end.close();
