@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "geometry/elementary/functions.hpp"
+
 namespace asv::core {
 
 namespace {
@@ -19,7 +21,7 @@ double straight_joint_way(const PlanarArm& arm, double tolerance) {
     for (std::size_t i = 0; i < arm.links.size(); ++i) {
         const double way = arm.goal[i] - arm.start[i];
         const double angle = arm.joints[i].wraps ? std::remainder(way, 2 * std::numbers::pi) : way;
-        const double off = std::asin(std::min(1.0, 2 * tolerance / arm.links[i]));
+        const double off = elementary::asin(std::min(1.0, 2 * tolerance / arm.links[i]));
         const double slack = arm.angles == AngleReference::x_axis ? off : off + slack_before;
         slack_before = off;
         squared += angle * angle;

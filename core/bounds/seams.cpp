@@ -6,6 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include "geometry/elementary/functions.hpp"
+
 namespace asv::core {
 
 namespace {
@@ -167,15 +169,15 @@ bool is_impassable(const Seam& seam, const Problem& problem) {
     const double broom = r.broom_length + r.tolerance;
     const double inside = seam.depth / 2 - (r.max_step + r.tolerance) / 2 - margin;
     if (inside < 0 || seam.width >= margin) return false;
-    const double steep = std::asin(std::max(0.0, seam.width) / margin);
+    const double steep = elementary::asin(std::max(0.0, seam.width) / margin);
     const double on_one_side = std::floor(inside / broom) + 1;
     const double count = std::min(std::floor((n - 1) / 2), on_one_side) +
                          std::min(std::ceil((n - 1) / 2), on_one_side);
     const double chain = (n - 1) * broom;
     const double row = count * broom;
-    const double straight = (chain * chain - row * row * (1 - std::tan(steep))) / 4;
+    const double straight = (chain * chain - row * row * (1 - elementary::tan(steep))) / 4;
     const double widened = std::min(2 * steep + n * r.tolerance, std::numbers::pi / 2);
-    const double folded = 2 * chain * chain * std::sin(widened);
+    const double folded = 2 * chain * chain * elementary::sin(widened);
     const double required = r.min_area(problem.asv_count()) - r.tolerance;
     return std::max(folded, straight) < required * (1 - 1e-9);
 }

@@ -1,10 +1,10 @@
 #include "core/chain/chain.hpp"
 
-#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
-#include "core/chain/sine_cosine.hpp"
+#include "geometry/elementary/functions.hpp"
+#include "geometry/elementary/sine_cosine.hpp"
 
 namespace asv::core {
 
@@ -51,7 +51,8 @@ void Chain::configuration(std::span<const Point> positions, std::span<double> ro
     }
     if (asv_count_ < 2) return;
     const auto heading = [&](std::size_t k) {
-        return std::atan2(positions[k + 1].y - positions[k].y, positions[k + 1].x - positions[k].x);
+        return elementary::atan2(positions[k + 1].y - positions[k].y,
+                                 positions[k + 1].x - positions[k].x);
     };
     row[2] = heading(0);
     for (std::size_t i = 0; i < turn_count(); ++i) {
@@ -72,7 +73,7 @@ Pose Chain::make_pose() const {
 
 void Chain::forward(std::span<const double> row, Pose& pose) const {
     headings(row, pose.heading);
-    sine_cosine(pose.heading, pose.uy, pose.ux);
+    elementary::sine_cosine(pose.heading, pose.uy, pose.ux);
     positions({row[0], row[1]}, pose.ux, pose.uy, pose.x, pose.y);
 }
 

@@ -1,9 +1,10 @@
 #include "core/generate/flat_chain.hpp"
 
-#include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+
+#include "geometry/elementary/functions.hpp"
 
 namespace asv::core {
 
@@ -17,7 +18,8 @@ struct Rise {
 };
 
 double rise_height(double brooms, double half_angle, double broom_length) {
-    return broom_length * std::sin(2 * brooms * half_angle) / (2 * std::sin(half_angle));
+    return broom_length * elementary::sin(2 * brooms * half_angle) /
+           (2 * elementary::sin(half_angle));
 }
 
 /// At this half angle the last broom of the rise is level.
@@ -60,9 +62,9 @@ double flat_area(std::size_t brooms, double broom_length, double height) {
     const Rise rise = best_rise(brooms, broom_length, height);
     const auto count = static_cast<double>(rise.brooms);
     const double a = rise.half_angle;
-    const double radius = broom_length / (2 * std::sin(a));
+    const double radius = broom_length / (2 * elementary::sin(a));
     const double below_rise =
-        radius * radius / 4 * (2 * count * std::sin(2 * a) - std::sin(4 * count * a));
+        radius * radius / 4 * (2 * count * elementary::sin(2 * a) - elementary::sin(4 * count * a));
     const double level = (static_cast<double>(brooms) - 2 * count) * broom_length;
     return level * height + 2 * below_rise;
 }
@@ -105,7 +107,8 @@ double flat_chain_heading(std::size_t asv_count, double broom_length, double hei
 
 double round_diameter(std::size_t asv_count, const Requirements& requirements) {
     if (asv_count < 3) throw std::invalid_argument("round chain: at least 3 ASVs are needed");
-    return requirements.broom_length / std::sin(std::numbers::pi / static_cast<double>(asv_count));
+    return requirements.broom_length /
+           elementary::sin(std::numbers::pi / static_cast<double>(asv_count));
 }
 
 }  // namespace asv::core

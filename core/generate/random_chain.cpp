@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/generate/option_check.hpp"
+#include "geometry/elementary/functions.hpp"
 #include "geometry/predicates/distance.hpp"
 #include "geometry/predicates/polygon.hpp"
 
@@ -23,14 +24,14 @@ constexpr int places_tried = 30;
 double turn(const Point& a, const Point& b, const Point& c) {
     const Point u{b.x - a.x, b.y - a.y};
     const Point v{c.x - b.x, c.y - b.y};
-    return std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y);
+    return elementary::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y);
 }
 
 bool acceptable(std::span<const Point> chain, const ChainOptions& options,
                 const Requirements& requirements) {
     const std::size_t n = chain.size();
     const double closing =
-        std::hypot(chain.front().x - chain.back().x, chain.front().y - chain.back().y);
+        elementary::hypot(chain.front().x - chain.back().x, chain.front().y - chain.back().y);
     // The margin of 0.2 keeps the two turns at the closing side away from pi as well: there a
     // rounding error would decide.
     const double most = std::numbers::pi - 0.2;
@@ -128,8 +129,8 @@ std::vector<Point> chain_positions(std::span<const double> turns, double heading
     points.reserve(turns.size() + 2);
     for (std::size_t i = 0; i <= turns.size(); ++i) {
         if (i > 0) heading += turns[i - 1];
-        points.push_back({points.back().x + broom_length * std::cos(heading),
-                          points.back().y + broom_length * std::sin(heading)});
+        points.push_back({points.back().x + broom_length * elementary::cos(heading),
+                          points.back().y + broom_length * elementary::sin(heading)});
     }
     return points;
 }

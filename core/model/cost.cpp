@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "geometry/elementary/functions.hpp"
+
 namespace asv::core {
 
 namespace {
@@ -26,7 +28,7 @@ class Sum {
 double turn_of_link(std::span<const Point> from, std::span<const Point> to, std::size_t link) {
     const double ax = from[link + 1].x - from[link].x, ay = from[link + 1].y - from[link].y;
     const double bx = to[link + 1].x - to[link].x, by = to[link + 1].y - to[link].y;
-    return std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+    return elementary::atan2(ax * by - ay * bx, ax * bx + ay * by);
 }
 
 double joint_way(const PlanarArm& arm, std::span<const Point> from, std::span<const Point> to) {
@@ -47,7 +49,7 @@ double cost(const Path& path) {
     for (std::size_t i = 1; i < path.size(); ++i) {
         const auto from = path.state(i - 1), to = path.state(i);
         for (std::size_t j = 0; j < path.asv_count(); ++j)
-            sum.add(std::hypot(to[j].x - from[j].x, to[j].y - from[j].y));
+            sum.add(elementary::hypot(to[j].x - from[j].x, to[j].y - from[j].y));
     }
     return sum.total();
 }
@@ -64,7 +66,7 @@ double step_cost(const Problem& problem, std::span<const Point> from, std::span<
     if (const PlanarArm* arm = problem.arm()) return joint_way(*arm, from, to);
     double sum = 0;
     for (std::size_t i = 0; i < from.size(); ++i)
-        sum += std::hypot(to[i].x - from[i].x, to[i].y - from[i].y);
+        sum += elementary::hypot(to[i].x - from[i].x, to[i].y - from[i].y);
     return sum;
 }
 

@@ -1,10 +1,10 @@
 #include "core/routes/gates.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
+#include "geometry/elementary/functions.hpp"
 #include "geometry/predicates/segment_box.hpp"
 
 namespace asv::core {
@@ -43,7 +43,7 @@ Gate gate_between(const Box& a, const Box& b) {
     const Point centre{0.5 * (gate.gap.low.x + gate.gap.high.x),
                        0.5 * (gate.gap.low.y + gate.gap.high.y)};
     Point half{apart_x ? centre.x - gate.gap.low.x : 0, apart_y ? centre.y - gate.gap.low.y : 0};
-    const double length = std::hypot(half.x, half.y);
+    const double length = elementary::hypot(half.x, half.y);
     const double stretch = (length + overreach) / length;
     half = {half.x * stretch, half.y * stretch};
     // Corner to corner is the falling diagonal where one box is to the right of the other, below.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -10,6 +9,7 @@
 
 #include "core/search/rng.hpp"
 #include "core/search/trees/tree.hpp"
+#include "geometry/elementary/functions.hpp"
 #include "geometry/primitives.hpp"
 
 namespace asv::core {
@@ -35,7 +35,8 @@ class RegionBias {
             double least = std::numeric_limits<double>::infinity();
             for (std::size_t stop = near - std::min(near, window);
                  stop <= std::min(near + window, stops_.size() - 1); ++stop) {
-                const double distance = std::hypot(at.x - stops_[stop].x, at.y - stops_[stop].y);
+                const double distance =
+                    elementary::hypot(at.x - stops_[stop].x, at.y - stops_[stop].y);
                 if (distance >= least) continue;
                 least = distance;
                 best = stop;

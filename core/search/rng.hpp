@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "geometry/elementary/functions.hpp"
+
 namespace asv::core {
 
 /// A stream of random numbers that is the same on every machine: xoshiro256** (Blackman and Vigna,
@@ -51,19 +53,20 @@ class Rng {
 
     /// Standard normal (Box and Muller, 1958).
     double normal() {
-        const double radius = std::sqrt(-2 * std::log(1 - uniform()));
-        return radius * std::cos(2 * std::numbers::pi * uniform());
+        const double radius = std::sqrt(-2 * elementary::log(1 - uniform()));
+        return radius * elementary::cos(2 * std::numbers::pi * uniform());
     }
 
     /// Gamma with the given shape and scale 1 (Marsaglia and Tsang, 2000). Precondition: shape > 0.
     double gamma(double shape) {
-        if (shape < 1) return gamma(shape + 1) * std::pow(1 - uniform(), 1 / shape);
+        if (shape < 1) return gamma(shape + 1) * elementary::pow(1 - uniform(), 1 / shape);
         const double d = shape - 1.0 / 3.0;
         const double c = 1 / std::sqrt(9 * d);
         while (true) {
             const double x = normal();
             const double v = (1 + c * x) * (1 + c * x) * (1 + c * x);
-            if (v > 0 && std::log(1 - uniform()) < 0.5 * x * x + d - d * v + d * std::log(v))
+            if (v > 0 &&
+                elementary::log(1 - uniform()) < 0.5 * x * x + d - d * v + d * elementary::log(v))
                 return d * v;
         }
     }

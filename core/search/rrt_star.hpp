@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "core/search/setting.hpp"
 #include "core/search/trees/cost_tree.hpp"
 #include "core/search/trees/one_tree.hpp"
+#include "geometry/elementary/functions.hpp"
 
 namespace asv::core {
 
@@ -59,9 +59,9 @@ inline std::vector<Setting> settings_of(RrtStarOptions& options) {
 /// The logarithm of the volume of the unit ball, by V(d) = 2 pi / d V(d - 2). Not by std::lgamma:
 /// it writes to a global variable, a data race between threads.
 inline double log_unit_ball(std::size_t dimension) {
-    double log_volume = dimension % 2 == 0 ? 0 : std::log(2);
+    double log_volume = dimension % 2 == 0 ? 0 : elementary::log(2);
     for (std::size_t d = dimension; d >= 2; d -= 2)
-        log_volume += std::log(2 * std::numbers::pi / static_cast<double>(d));
+        log_volume += elementary::log(2 * std::numbers::pi / static_cast<double>(d));
     return log_volume;
 }
 
@@ -72,9 +72,10 @@ template <SampledSpace Space>
 double min_gamma(Space& space) {
     const auto d = static_cast<double>(space.dimension());
     double log_volume = 0;
-    for (std::size_t i = 0; i < space.dimension(); ++i) log_volume += std::log(space.extent(i));
-    return 2 * std::pow(1 + 1 / d, 1 / d) *
-           std::exp((log_volume - log_unit_ball(space.dimension())) / d);
+    for (std::size_t i = 0; i < space.dimension(); ++i)
+        log_volume += elementary::log(space.extent(i));
+    return 2 * elementary::pow(1 + 1 / d, 1 / d) *
+           elementary::exp((log_volume - log_unit_ball(space.dimension())) / d);
 }
 
 /// One search of rrt_star(): the tree, and the steps of the algorithm by their names.
@@ -98,7 +99,8 @@ class StarTree {
         if (options_.radius > 0) return options_.radius;
         const auto n = static_cast<double>(tree_.size() + 1);
         const double shrinking =
-            gamma_ * std::pow(std::log(n) / n, 1 / static_cast<double>(space_.dimension()));
+            gamma_ *
+            elementary::pow(elementary::log(n) / n, 1 / static_cast<double>(space_.dimension()));
         return std::min(shrinking, options_.step);
     }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -14,6 +13,7 @@
 #include "core/search/region_bias.hpp"
 #include "core/search/setting.hpp"
 #include "core/search/trees/two_trees.hpp"
+#include "geometry/elementary/functions.hpp"
 #include "geometry/primitives.hpp"
 
 namespace asv::core {
@@ -192,7 +192,7 @@ class SlideAndPull {
         for (std::size_t i = 0; i < options_.pull_candidates; ++i) {
             const auto node = static_cast<std::uint32_t>(rng_.below(tree.size()));
             const geometry::Point at = space_.position(tree.row(node), end);
-            const double distance = std::hypot(at.x - point.x, at.y - point.y);
+            const double distance = elementary::hypot(at.x - point.x, at.y - point.y);
             if (distance >= shortest) continue;
             shortest = distance;
             nearest = node;

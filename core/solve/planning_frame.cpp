@@ -34,7 +34,10 @@ void reverse(Problem& problem) {
 double planning_unit(const Problem& problem) {
     if (problem.body_kind() != BodyKind::chain) return 1;
     constexpr double usual_length = Requirements{}.broom_length;
-    return std::exp2(std::round(std::log2(problem.requirements.broom_length / usual_length)));
+    constexpr double root_of_half = 0x1.6a09e667f3bcdp-1;
+    int exponent;
+    const double mantissa = std::frexp(problem.requirements.broom_length / usual_length, &exponent);
+    return std::ldexp(1, mantissa < root_of_half ? exponent - 1 : exponent);
 }
 
 /// Tolerances and steps are lengths as well.

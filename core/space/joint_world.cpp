@@ -1,11 +1,11 @@
 #include "core/space/joint_world.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "core/chain/arm_kinematics.hpp"
 #include "core/search/trees/interpolate.hpp"
+#include "geometry/elementary/functions.hpp"
 
 namespace asv::core {
 
@@ -49,7 +49,8 @@ std::vector<double> values_of(const Problem& problem, std::span<const Point> sta
     std::vector<double> angles;
     double before = 0;
     for (std::size_t i = 1; i < state.size(); ++i) {
-        const double heading = std::atan2(state[i].y - state[i - 1].y, state[i].x - state[i - 1].x);
+        const double heading =
+            elementary::atan2(state[i].y - state[i - 1].y, state[i].x - state[i - 1].x);
         const bool relative = arm->angles == AngleReference::previous_link;
         angles.push_back(relative ? heading - before : heading);
         before = heading;

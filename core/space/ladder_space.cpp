@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary/functions.hpp"
+
 namespace asv::core {
 
 namespace {
@@ -132,8 +134,8 @@ double LadderSpace::farthest_motion(std::span<const double> a, std::span<const d
     world_.chain.forward(b, other_pose_);
     double most = 0;
     for (std::size_t j = 0; j < pose_.x.size(); ++j)
-        most = std::max(most,
-                        std::hypot(pose_.x[j] - other_pose_.x[j], pose_.y[j] - other_pose_.y[j]));
+        most = std::max(
+            most, elementary::hypot(pose_.x[j] - other_pose_.x[j], pose_.y[j] - other_pose_.y[j]));
     return most;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/chain/sine_cosine.hpp"
+#include "geometry/elementary/sine_cosine.hpp"
 
 namespace asv::core {
 
@@ -42,7 +42,7 @@ double MotionCost::operator()(std::span<const double> from, std::span<const doub
         places_[moment] = {row_[0], row_[1]};
         chain_.headings(row_, {headings_.data() + moment * brooms, brooms});
     }
-    sine_cosine(headings_, sines_, cosines_);
+    elementary::sine_cosine(headings_, sines_, cosines_);
 
     double sum = 0;
     for (std::size_t moment = 0; moment <= pieces; ++moment) {

@@ -5,6 +5,7 @@
 
 #include "core/bounds/asv_plane.hpp"
 #include "core/space/sampling/passage_points.hpp"
+#include "geometry/elementary/functions.hpp"
 
 namespace asv::core {
 
@@ -47,7 +48,7 @@ std::vector<geometry::Point> SlideSpace::guide() const {
     std::vector<geometry::Point> stops;
     for (std::size_t i = 1; i < bends.size(); ++i) {
         const geometry::Point &a = bends[i - 1], &b = bends[i];
-        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        const double length = elementary::hypot(b.x - a.x, b.y - a.y);
         // One piece at least: an ASV that ends where it starts has a way without length.
         const double pieces = std::max(1.0, std::ceil(length / stop_spacing));
         for (double piece = i == 1 ? 0 : 1; piece <= pieces; ++piece) {

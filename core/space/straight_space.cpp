@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/search/trees/interpolate.hpp"
+#include "geometry/elementary/functions.hpp"
 
 namespace asv::core {
 
@@ -69,7 +70,8 @@ bool StraightSpace::from_unit_cube(std::span<const double> unit, std::span<doubl
     // into n parts are even when the first part is 1 - (1 - u)^(1 / (n - 1)).
     double left = turns == 0 ? 0 : 2 * pi * unit[3];
     for (std::size_t i = 0; i + 1 < turns; ++i) {
-        const double rest = std::pow(1 - unit[4 + i], 1 / static_cast<double>(turns - 1 - i));
+        const double rest =
+            elementary::pow(1 - unit[4 + i], 1 / static_cast<double>(turns - 1 - i));
         row[3 + i] = left * (1 - rest);
         left *= rest;
     }
@@ -115,7 +117,7 @@ double StraightSpace::cost_lower_bound(std::span<const double> from, std::span<c
     world_.chain.forward(to, other_pose_);
     double sum = 0;
     for (std::size_t j = 0; j < pose_.x.size(); ++j)
-        sum += std::hypot(pose_.x[j] - other_pose_.x[j], pose_.y[j] - other_pose_.y[j]);
+        sum += elementary::hypot(pose_.x[j] - other_pose_.x[j], pose_.y[j] - other_pose_.y[j]);
     return sum;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/elementary/functions.hpp"
+
 namespace asv::core::validation {
 namespace {
 
@@ -22,7 +24,7 @@ Neighbourhood::Neighbourhood(const geometry::Segment& segment)
     : origin_(segment.a), bounds_(geometry::bounds(segment)) {
     const double dx = segment.b.x - segment.a.x;
     const double dy = segment.b.y - segment.a.y;
-    const double length = std::hypot(dx, dy);
+    const double length = elementary::hypot(dx, dy);
     if (length > 0) normal_ = {-dy / length, dx / length};
 }
 

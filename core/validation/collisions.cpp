@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "geometry/elementary/functions.hpp"
 #include "geometry/predicates/distance.hpp"
 #include "geometry/predicates/segment_box.hpp"
 
@@ -56,7 +56,7 @@ double penetration(const Segment& segment, const Box& box) {
                              around.high.y - box.low.y, box.high.y - around.low.y});
     const double dx = segment.b.x - segment.a.x;
     const double dy = segment.b.y - segment.a.y;
-    const double length = std::hypot(dx, dy);
+    const double length = elementary::hypot(dx, dy);
     if (length > 0) {
         double left = 0;
         double right = 0;

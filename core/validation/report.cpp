@@ -40,11 +40,12 @@ std::string link_name(const Offender& offender) {
 
 /// With so many digits that it is not the same as what is wanted.
 std::string telling_number(double value, double other, double apart) {
+    constexpr int fewest = 3, most = 17;
     const double scale = std::max(std::abs(value), std::abs(other));
-    const double digits = apart > 0 ? std::ceil(std::log10(scale / apart)) + 1 : 17;
+    int digits = apart > 0 ? fewest : most;
+    for (double told = apart * 100; told < scale && digits < most; told *= 10) ++digits;
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.*g", static_cast<int>(std::clamp(digits, 3.0, 17.0)),
-                  value);
+    std::snprintf(text.data(), text.size(), "%.*g", digits, value);
     return text.data();
 }
 

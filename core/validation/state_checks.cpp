@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "geometry/elementary/functions.hpp"
 #include "geometry/predicates/polygon.hpp"
 
 namespace asv::core::validation {
@@ -26,7 +27,7 @@ double normalised(double angle) {
 }
 
 double heading(const Point& from, const Point& to) {
-    return std::atan2(to.y - from.y, to.x - from.x);
+    return elementary::atan2(to.y - from.y, to.x - from.x);
 }
 
 }  // namespace

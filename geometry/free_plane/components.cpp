@@ -1,10 +1,11 @@
 #include "geometry/free_plane/components.hpp"
 
 #include <array>
-#include <cmath>
 #include <queue>
 #include <unordered_set>
 #include <utility>
+
+#include "geometry/elementary/functions.hpp"
 
 namespace asv::geometry::detail {
 
@@ -37,7 +38,7 @@ class Flood {
     void add(const CellGraph& graph, CellTree::Id cell) {
         if (!seen_.insert(cell).second) return;
         const Point at = centre(graph.box(cell));
-        queue_.emplace(-std::hypot(at.x - target_.x, at.y - target_.y), cell);
+        queue_.emplace(-elementary::hypot(at.x - target_.x, at.y - target_.y), cell);
     }
 
     Point target_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/elementary/functions.hpp"
 #include "geometry/predicates/segment_box.hpp"
 
 namespace asv::geometry {
@@ -19,7 +20,7 @@ double outside(double x, double low, double high) noexcept {
 // underflow. They, their sum and the root err by half an ulp each: 2u of the result.
 double length(double x, double y) noexcept {
     const double square = x * x + y * y;
-    return square > 1e-280 && square < 1e280 ? std::sqrt(square) : std::hypot(x, y);
+    return square > 1e-280 && square < 1e280 ? std::sqrt(square) : elementary::hypot(x, y);
 }
 
 // Infinite where the point does not project between the ends: one of those is nearer to the box.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/elementary/functions.hpp"
+
 namespace asv::core {
 
 namespace {
@@ -13,7 +15,7 @@ namespace {
 constexpr double before_mouth = 0.002;
 
 double distance(const Point& a, const Point& b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
+    return elementary::hypot(a.x - b.x, a.y - b.y);
 }
 
 bool interiors_meet(const Box& a, const Box& b) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary/functions.hpp"
 #include "geometry/predicates/distance.hpp"
 
 namespace asv::core {
@@ -84,7 +85,7 @@ std::vector<std::uint32_t> RoundMap::near(const Point& point, double distance,
                                           std::size_t count) const {
     const auto distance_to = [&](std::uint32_t node) {
         const Point p = place(node);
-        return std::hypot(p.x - point.x, p.y - point.y);
+        return elementary::hypot(p.x - point.x, p.y - point.y);
     };
     std::vector<std::uint32_t> found;
     for (std::uint32_t node = 0; node < free_.size(); ++node) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/elementary/functions.hpp"
+
 namespace asv::core {
 
 namespace {
@@ -140,7 +142,8 @@ void ElasticBand::advance(std::size_t i, std::span<const double> step) {
         chain_.forward(row, pose_);
         double moved = 0;
         for (std::size_t j = 0; j < pose_.x.size(); ++j)
-            moved = std::max(moved, std::hypot(pose_.x[j] - before.x[j], pose_.y[j] - before.y[j]));
+            moved = std::max(moved,
+                             elementary::hypot(pose_.x[j] - before.x[j], pose_.y[j] - before.y[j]));
         if (moved <= farthest * spacing_) return;
         share = 0.99 * farthest * spacing_ / moved;
     }

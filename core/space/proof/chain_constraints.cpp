@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "geometry/elementary/functions.hpp"
 #include "geometry/predicates/distance.hpp"
 
 namespace asv::core {
@@ -30,7 +31,7 @@ double first_closing_turn(const Pose& pose) {
 }
 
 double closing_side(const Pose& pose) {
-    return std::hypot(pose.x.front() - pose.x.back(), pose.y.front() - pose.y.back());
+    return elementary::hypot(pose.x.front() - pose.x.back(), pose.y.front() - pose.y.back());
 }
 
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary/functions.hpp"
+
 namespace asv::core {
 
 LineMotion::LineMotion(const Chain& chain) : chain_(chain), pose_(chain.make_pose()) {
@@ -45,7 +47,7 @@ void LineMotion::begin(std::span<const double> from, std::span<const double> to)
         greatest_speed = std::max(greatest_speed, speed);
         acceleration_[j] = length * acceleration;
     }
-    speed_bound_ = std::hypot(step_[0], step_[1]) + length * greatest_speed;
+    speed_bound_ = elementary::hypot(step_[0], step_[1]) + length * greatest_speed;
     // The closing turns are L sum sin(heading_k - heading_end) and the area is L^2 / 2 times the
     // sum of sin(heading_j - heading_i) over i < j; a sine of a linear function has |''| <= rate^2.
     shape_curvature_.first_closing_turn = length * spread_first;

@@ -1,6 +1,6 @@
 #include "core/space/proof/requirement_proof.hpp"
 
-#include <cmath>
+#include "geometry/elementary/functions.hpp"
 
 namespace asv::core {
 
@@ -64,7 +64,7 @@ bool prove_closing_side(const LineMotion& motion, const ChainConstraints& constr
         cross(last_ux, last_uy, rvx, rvy) + last_rate * cross(-last_uy, last_ux, rx, ry);
     if (!stretch.limit(last, last_slope, curvature.last_closing_turn)) return false;
 
-    const double length = std::hypot(rx, ry);
+    const double length = elementary::hypot(rx, ry);
     const double slope = length > 0 ? (rx * rvx + ry * rvy) / length : 0;
     // A distance bends upwards where it bends by moving sideways, so only r'' can lower it.
     return stretch.limit(length - constraints.min_closing_side + rounding, slope,

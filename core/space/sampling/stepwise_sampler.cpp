@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/space/sampling/passage_points.hpp"
+#include "geometry/elementary/functions.hpp"
 
 namespace asv::core {
 
@@ -47,8 +48,8 @@ bool StepwiseSampler::grow(Rng& rng, double sign, double sharpest) {
         for (int attempt = 0; attempt < heading_tries && !placed; ++attempt) {
             const double drawn = k == 0 ? rng.uniform(-std::numbers::pi, std::numbers::pi)
                                         : heading + sign * rng.uniform(0, sharpest);
-            positions_[k + 1] = {positions_[k].x + length * std::cos(drawn),
-                                 positions_[k].y + length * std::sin(drawn)};
+            positions_[k + 1] = {positions_[k].x + length * elementary::cos(drawn),
+                                 positions_[k].y + length * elementary::sin(drawn)};
             placed = free(positions_[k], positions_[k + 1]);
             if (placed) heading = drawn;
         }

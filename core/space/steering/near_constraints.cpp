@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary/functions.hpp"
+
 namespace asv::core {
 
 using Kind = NearConstraint::Kind;
@@ -120,7 +122,7 @@ void NearConstraints::area_gradient(const Pose& pose, std::span<double> by_headi
 void NearConstraints::closing_side_gradient(const Pose& pose, std::span<double> by_heading) const {
     const std::size_t n = chain_.asv_count();
     const double rx = pose.x[0] - pose.x[n - 1], ry = pose.y[0] - pose.y[n - 1];
-    const double closing = std::max(std::hypot(rx, ry), 1e-300);
+    const double closing = std::max(elementary::hypot(rx, ry), 1e-300);
     for (std::size_t k = 0; k < chain_.broom_count(); ++k)
         by_heading[k] = chain_.broom_length() * (rx * pose.uy[k] - ry * pose.ux[k]) / closing;
 }

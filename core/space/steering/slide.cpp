@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary/functions.hpp"
+
 namespace asv::core {
 
 namespace {
@@ -70,7 +72,7 @@ Steered SlideSteering::pull(std::span<const double> from, std::size_t asv,
     for (std::size_t i = 0; i < options_.max_steps; ++i) {
         chain.forward(row_, pose);
         const double dx = target.x - pose.x[asv], dy = target.y - pose.y[asv];
-        const double distance = std::hypot(dx, dy);
+        const double distance = elementary::hypot(dx, dy);
         if (distance < options_.hair) return Steered::reached;
         const double length = std::min(pace.step, distance);
         constrained_.linearise(row_, length, pace.margin, pace.margin / options_.margin);
@@ -78,7 +80,7 @@ Steered SlideSteering::pull(std::span<const double> from, std::size_t asv,
         const auto next = constrained_.solve(wish_);
         std::copy(next.begin(), next.end(), next_.begin());
         chain.forward(next_, pose);
-        const double left = std::hypot(target.x - pose.x[asv], target.y - pose.y[asv]);
+        const double left = elementary::hypot(target.x - pose.x[asv], target.y - pose.y[asv]);
         const StepTaken taken = take_step(distance - left, length, pace, visited);
         if (taken == StepTaken::stuck) return outcome;
         if (taken == StepTaken::yes) outcome = Steered::advanced;

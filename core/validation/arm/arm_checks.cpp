@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/elementary/functions.hpp"
+
 namespace asv::core::validation {
 
 namespace {
@@ -19,7 +21,8 @@ JointReader::JointReader(const PlanarArm& arm, std::vector<double> reference)
 const std::vector<double>& JointReader::read(State state) {
     double heading_before = 0;
     for (std::size_t i = 0; i < angles_.size(); ++i) {
-        const double heading = std::atan2(state[i + 1].y - state[i].y, state[i + 1].x - state[i].x);
+        const double heading =
+            elementary::atan2(state[i + 1].y - state[i].y, state[i + 1].x - state[i].x);
         const bool absolute = arm_.angles == AngleReference::x_axis;
         const double angle = absolute ? heading : heading - heading_before;
         heading_before = heading;

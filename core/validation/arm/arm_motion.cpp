@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/elementary/functions.hpp"
 #include "geometry/predicates/distance.hpp"
 
 namespace asv::core::validation {
@@ -74,7 +75,8 @@ Segment ArmMotion::link(std::size_t i, double t) const {
     for (std::size_t k = 0; k <= i; ++k) {
         const double heading = from_[k] + t * (to_[k] - from_[k]);
         a = b;
-        b = {a.x + links_[k] * std::cos(heading), a.y + links_[k] * std::sin(heading)};
+        b = {a.x + links_[k] * elementary::cos(heading),
+             a.y + links_[k] * elementary::sin(heading)};
     }
     return {a, b};
 }

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/elementary/functions.hpp"
+
 namespace asv::core::validation {
 namespace {
 
@@ -60,7 +62,7 @@ struct Joint {
 class JointCheck {
   public:
     JointCheck(double sign, double e)
-        : sign_(sign), e_(e), cosine_(std::cos(e)), sine_(std::sin(e)) {}
+        : sign_(sign), e_(e), cosine_(elementary::cos(e)), sine_(elementary::sin(e)) {}
 
     Joint operator()(const Moving& u, const Moving& v, double radius) const {
         const Quadratic turning = sign_ * cross(u, v);
@@ -81,7 +83,8 @@ class JointCheck {
   private:
     double room_at(double time, const Moving& u, const Moving& v) const {
         const Point a = u.at(time), b = v.at(time);
-        const double angle = sign_ * std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
+        const double angle =
+            sign_ * elementary::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
         return std::min(angle + e_, pi - e_ - angle);
     }
 

@@ -1,8 +1,8 @@
-#include "core/chain/sine_cosine.hpp"
+#include "geometry/elementary/sine_cosine.hpp"
 
 #include <cstddef>
 
-namespace asv::core {
+namespace asv::elementary {
 
 namespace {
 
@@ -63,4 +63,4 @@ void sine_cosine(std::span<const double> angle, std::span<double> sine, std::spa
     }
 }
 
-}  // namespace asv::core
+}  // namespace asv::elementary

@@ -1,14 +1,17 @@
-#include "core/chain/sine_cosine.hpp"
+#include "geometry/elementary/sine_cosine.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "tests/kit/chains/configurations.hpp"
+#include <gtest/gtest.h>
+
 #include "tests/kit/seeds.hpp"
 
-namespace asv::core {
+namespace asv::elementary {
 namespace {
+
+using core::Rng;
 
 void expect_right(const std::vector<double>& angles) {
     std::vector<double> sine(angles.size()), cosine(angles.size());
@@ -59,4 +62,4 @@ TEST(SineCosine, EveryLengthGivesTheSameBits) {
 }
 
 }  // namespace
-}  // namespace asv::core
+}  // namespace asv::elementary

@@ -1,8 +1,9 @@
-// std::hypot, rounded as the GNU C library rounds it, which the programs are built with: with the C
-// library of Emscripten, which takes longer as well, chains would get other paths.
-
 #include <cmath>
 #include <limits>
+
+#include "geometry/elementary/functions.hpp"
+
+namespace asv::elementary {
 
 namespace {
 
@@ -28,13 +29,15 @@ double corrected(double a, double b) {
 
 }  // namespace
 
-extern "C" double hypot(double x, double y) {
+double hypot(double x, double y) {
+    x = std::fabs(x);
+    y = std::fabs(y);
+    const double a = x < y ? y : x, b = x < y ? x : y;
+    if (a <= large && b >= small && b > a * negligible) return corrected(a, b);
     if (std::isinf(x) || std::isinf(y)) return std::numeric_limits<double>::infinity();
-    if (std::isnan(x) || std::isnan(y)) return x + y;
-    const double a = std::fmax(std::fabs(x), std::fabs(y));
-    const double b = std::fmin(std::fabs(x), std::fabs(y));
-    if (b <= a * negligible) return a + b;
+    if (!(b > a * negligible)) return a + b;
     if (a > large) return corrected(a * scale, b * scale) / scale;
-    if (b < small) return corrected(a / scale, b / scale) * scale;
-    return corrected(a, b);
+    return corrected(a / scale, b / scale) * scale;
 }
+
+}  // namespace asv::elementary
