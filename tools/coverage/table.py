@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """How much of the sources the tests have run: a table by room, of what gcov counted.
 
-table.py BUILD [--gate FOLDER=PERCENT]... [--missing FOLDER]
+table.py BUILD [FOLDER] [--gate FOLDER=PERCENT]... [--missing]
 
-BUILD is a build with the preset coverage whose tests have run. A gate asks that so many percent of
-the branches below a folder are taken; "." is everything. Ends with 1 where a gate is missed, after
-some of the branches that were not taken; --missing prints all of them below a folder.
+BUILD is a build with the preset coverage whose tests have run; with FOLDER it is about what lies below
+that alone. A gate asks that so many percent of the branches below a folder are taken; "." is everything.
+Ends with 1 where a gate is missed, after some of the branches that were not taken; --missing prints all.
 
 A branch is a way out of a decision of the source: both outcomes of each condition, each case of a
 switch. gcov counts more, which is left out here:
@@ -92,6 +92,10 @@ def object_files(build):
         yield counts.with_suffix(".gcno")
 
 
+def lies_in(name, folder):
+    return folder == "." or name.startswith(folder + "/")
+
+
 def name_in_tree(path):
     """The path below the root of one of our sources; None for those of others."""
     if not path.is_relative_to(SOURCE):
@@ -100,23 +104,19 @@ def name_in_tree(path):
     return str(name) if name.parts[0] in FOLDERS else None
 
 
-def read(build):
+def read(build, folder):
     coverage = Coverage()
     command = ["gcov", "--json-format", "--stdout", "--branch-probabilities", *sorted(map(str, object_files(build)))]
     with subprocess.Popen(command, cwd=build, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as gcov:
         for record in filter(str.strip, map(bytes.decode, gcov.stdout)):
             for file in json.loads(record)["files"]:
                 name = name_in_tree((build / file["file"]).resolve())
-                for line in file["lines"] if name else []:
+                for line in file["lines"] if name and lies_in(name, folder) else []:
                     coverage.add(name, line)
     if gcov.returncode != 0 or not coverage.lines:
         sys.exit(f"table.py: gcov has nothing to tell of {build}")
     coverage.forget_what_nobody_wrote()
     return coverage
-
-
-def lies_in(name, folder):
-    return folder == "." or name.startswith(folder + "/")
 
 
 def room_of(name):
@@ -146,7 +146,7 @@ def print_table(coverage):
     print_row("all", coverage, lambda name: True)
 
 
-def missing(coverage, folder):
+def missing(coverage, folder="."):
     """A text for each line of the source with a branch that was never taken."""
     for name in sorted(filter(lambda name: lies_in(name, folder), coverage.branches)):
         text = text_of(name)
@@ -168,13 +168,14 @@ def is_missed(coverage, gate):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("folder", nargs="?", default=".")
     parser.add_argument("--gate", action="append", default=[], metavar="FOLDER=PERCENT")
-    parser.add_argument("--missing", metavar="FOLDER")
+    parser.add_argument("--missing", action="store_true")
     arguments = parser.parse_args()
-    coverage = read(arguments.build.resolve())
+    coverage = read(arguments.build.resolve(), arguments.folder)
     print_table(coverage)
     if arguments.missing:
-        print("\n".join(missing(coverage, arguments.missing)))
+        print("\n".join(missing(coverage)))
     sys.exit(1 if any([is_missed(coverage, gate) for gate in arguments.gate]) else 0)
 
 
