@@ -15,7 +15,8 @@ std::string short_number(double value) {
 }
 
 std::string numbered(const char* what, const std::optional<std::size_t>& index) {
-    return std::string(what) + " " + (index ? std::to_string(*index + 1) : "?");
+    if (!index) return std::string(what) + " ?";
+    return std::string(what) + " " + std::to_string(*index + 1);
 }
 
 /// What a point and what a line of a body is called.
@@ -38,11 +39,11 @@ std::string link_name(const Offender& offender) {
     return numbered(part_names(offender.body).link, offender.broom);
 }
 
-/// With so many digits that it is not the same as what is wanted.
+/// With so many digits that it is not the same as what is wanted. Precondition: apart > 0.
 std::string telling_number(double value, double other, double apart) {
     constexpr int fewest = 3, most = 17;
     const double scale = std::max(std::abs(value), std::abs(other));
-    int digits = apart > 0 ? fewest : most;
+    int digits = fewest;
     for (double told = apart * 100; told < scale && digits < most; told *= 10) ++digits;
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.*g", digits, value);
@@ -52,7 +53,8 @@ std::string telling_number(double value, double other, double apart) {
 std::string describe_length(const Offender& offender, const std::string& by) {
     const std::string link = link_name(offender);
     const double wanted = offender.wanted_length, off = std::abs(offender.length - wanted);
-    if (!(wanted > 0)) return link + " is too long or too short" + by;
+    // Points very far apart may have no distance that a number holds.
+    if (!(wanted > 0 && std::isfinite(off))) return link + " is too long or too short" + by;
     std::string tolerance = short_number(off + offender.room);
     if (const auto zero = tolerance.find("e-0"); zero != std::string::npos)
         tolerance.erase(zero + 2, 1);

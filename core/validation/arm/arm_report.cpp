@@ -90,7 +90,10 @@ std::vector<CheckResult> certify(const Path& path, const Problem& problem, const
         const double radius = collisions.worst().offender.room;
         collisions.add(check_arm_motion_collisions(motion, obstacles, radius), i);
     }
-    return {std::move(bounds).result(), std::move(collisions).result()};
+    std::vector<CheckResult> results;
+    results.push_back(std::move(bounds).result());
+    results.push_back(std::move(collisions).result());
+    return results;
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -28,6 +29,18 @@ TEST(Describe, SaysWhoIsToBlameAndByHowMuch) {
     EXPECT_EQ(describe(Check::collisions, offender), "broom 3 meets obstacle 5 by 0.0012");
 }
 
+TEST(Describe, SpeaksOfTheBaseAndTheLinksOfAnArm) {
+    Offender offender;
+    offender.body = BodyKind::arm;
+    offender.asv = 1;
+    offender.broom = 2;
+    offender.room = -0.0012;
+    EXPECT_EQ(describe(Check::bounds, offender), "point 2 is out of bounds by 0.0012");
+    EXPECT_EQ(describe(Check::link_lengths, offender), "link 3 is too long or too short by 0.0012");
+    EXPECT_EQ(describe(Check::base, offender), "the base has moved by 0.0012");
+    EXPECT_EQ(describe(Check::joint_limits, offender), "joint 2 is past its limit by 0.0012 rad");
+}
+
 TEST(Describe, TellsALengthAndTheOneThatIsWanted) {
     Offender offender;
     offender.broom = 1;
@@ -40,6 +53,26 @@ TEST(Describe, TellsALengthAndTheOneThatIsWanted) {
     offender.room = 1e-5 - 0.0000123;
     EXPECT_EQ(describe(Check::broom_lengths, offender),
               "broom 2 is 0.050012 long, 0.05 within 1e-5 is wanted");
+}
+
+TEST(Describe, TellsALargeToleranceToo) {
+    Offender offender;
+    offender.broom = 0;
+    offender.wanted_length = 1;
+    offender.length = 1.5;
+    offender.room = 0.25 - 0.5;
+    EXPECT_EQ(describe(Check::broom_lengths, offender),
+              "broom 1 is 1.5 long, 1 within 0.25 is wanted");
+}
+
+TEST(Describe, AnInfiniteLengthHasNoDigits) {
+    const double infinite = std::numeric_limits<double>::infinity();
+    Offender offender;
+    offender.broom = 0;
+    offender.wanted_length = 0.05;
+    offender.length = infinite;
+    offender.room = -infinite;
+    EXPECT_EQ(describe(Check::broom_lengths, offender), "broom 1 is too long or too short by inf");
 }
 
 TEST(Describe, KnowsTheThreeOtherWaysNotToBeConvex) {
@@ -63,12 +96,32 @@ TEST(Describe, ShowsTheRoomOfWhatHolds) {
     result.worst->obstacle = 6;
     result.worst->room = 0.25;
     EXPECT_EQ(describe(result), "room 0.25 at broom 1, obstacle 7");
+    // A point has no parts to name.
+    result.worst->body = BodyKind::point;
+    EXPECT_EQ(describe(result), "room 0.25 at obstacle 7");
+}
+
+TEST(Describe, ShowsTheRoomOfASVsAndJoints) {
+    CheckResult result;
+    result.worst.emplace();
+    result.worst->asv = 1;
+    result.worst->room = 0.25;
+    result.check = Check::bounds;
+    EXPECT_EQ(describe(result), "room 0.25 at ASV 2");
+    result.worst->body = BodyKind::arm;
+    EXPECT_EQ(describe(result), "room 0.25 at point 2");
+    result.check = Check::joint_limits;
+    EXPECT_EQ(describe(result), "room 0.25 at joint 2");
+    result.worst->body = BodyKind::point;
+    result.check = Check::bounds;
+    EXPECT_EQ(describe(result), "room 0.25");
 }
 
 TEST(Describe, NamesEveryCheck) {
-    const std::vector<std::string_view> names = {"ends",      "steps", "cost",   "broom lengths",
-                                                 "convexity", "area",  "bounds", "collisions"};
-    for (std::size_t i = 0; i < check_count; ++i) EXPECT_EQ(name(static_cast<Check>(i)), names[i]);
+    const std::vector<std::string_view> names = {
+        "ends",   "steps",      "cost",         "broom lengths", "convexity",   "area",
+        "bounds", "collisions", "link lengths", "base",          "joint limits"};
+    for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(name(static_cast<Check>(i)), names[i]);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -158,6 +159,8 @@ TEST(ValidatePath, RefusesArgumentsWithoutMeaning) {
     EXPECT_THROW(report(path), std::invalid_argument);
     path = test::case_of(slide());
     EXPECT_THROW(report(path, {.tolerance = -1e-9}), std::invalid_argument);
+    EXPECT_THROW(report(path, {.tolerance = std::numeric_limits<double>::infinity()}),
+                 std::invalid_argument);
 }
 
 }  // namespace

@@ -152,6 +152,22 @@ TEST(ValidateArm, AMotionMayCollideBetweenGoodStates) {
     EXPECT_EQ(failures(coarse, true), Checks{Check::collisions});
 }
 
+TEST(ValidateArm, AContactBetweenTheTimesLookedAtFirstIsFound) {
+    Sample coarse = sample();
+    const Point tip = state_of(coarse, 60)[3];
+    Path path(4);
+    path.push_back(coarse.solution.path.state(0));
+    path.push_back(coarse.solution.path.state(100));
+    coarse.solution.path = path;
+    coarse.problem.requirements.max_step = 1;
+    coarse.problem.obstacles = {{{tip.x - 0.001, tip.y - 0.001}, {tip.x + 0.001, tip.y + 0.001}}};
+    const auto report = validate(coarse.problem, coarse.solution, {.continuous = true});
+    const CheckResult& collisions = report.motion.back();
+    EXPECT_FALSE(collisions.ok());
+    EXPECT_NEAR(collisions.worst->time.value(), 0.6, 0.01);
+    EXPECT_LE(collisions.worst->room, 0);
+}
+
 TEST(ValidateArm, AJointThatDoesNotWrapMustNotEndATurnAway) {
     Sample turned = sample();
     PlanarArm arm{{1, 0.5, 0.25}, {{true}, {false, -10, 10}, {true}}, {}, {0, 0.5, 1}, {0, 0.5, 1}};
@@ -184,30 +200,6 @@ TEST(ValidateArm, SpeaksOfLinksAndJoints) {
     const auto report = validate_state(wrong.problem, wrong.problem.start, {});
     EXPECT_EQ(name(report.checks[2].check), "joint limits");
     EXPECT_EQ(describe(report.checks[2]), "joint 3 is past its limit by 0.1 rad");
-}
-
-TEST(ValidatePoint, MustNotTouchObstacles) {
-    Problem problem;
-    problem.body = PointBody{};
-    problem.start = {{0.1, 0.5}};
-    problem.goal = {{0.102, 0.5}};
-    Solution solution{Path(1), 0.002};
-    for (const double x : {0.1, 0.101, 0.102})
-        solution.path.push_back(std::vector<Point>{{x, 0.5}});
-    EXPECT_TRUE(validate(problem, solution, {.continuous = true}).valid());
-    problem.obstacles = {{{0.1009, 0.4}, {0.1011, 0.6}}};
-    const auto report = validate(problem, solution, {.continuous = true});
-    EXPECT_FALSE(report.valid());
-    EXPECT_EQ(describe(report.checks.back()), "the point meets obstacle 1 by 9e-05");
-    // A lone ASV has no broom that could collide.
-    problem.body = AsvChain{};
-    for (const CheckResult& check : validate(problem, solution, {}).checks)
-        EXPECT_TRUE(check.ok() || check.check != Check::collisions);
-    // Between two states.
-    problem.body = PointBody{};
-    problem.obstacles = {{{0.1004, 0.4}, {0.1006, 0.6}}};
-    EXPECT_TRUE(validate(problem, solution, {}).valid());
-    EXPECT_FALSE(validate(problem, solution, {.continuous = true}).valid());
 }
 
 }  // namespace

@@ -81,6 +81,15 @@ TEST(Motion, ATurningBroomIsShorterOnTheWay) {
     EXPECT_NEAR(lengths_of(0.02).worst.value().room, e - 0.05 * (1 - std::cos(0.01)), 1e-12);
 }
 
+TEST(Motion, NoBroomIsTooShortForAToleranceOfItsLength) {
+    const Case half_a_turn = test::case_of({spun(0.3), spun(0.3 + pi)});
+    const auto lengths_within = [&](double tolerance) {
+        return test::find(certified(half_a_turn, tolerance).motion, Check::broom_lengths);
+    };
+    EXPECT_FALSE(lengths_within(0.049).ok());
+    EXPECT_TRUE(lengths_within(0.05).ok());
+}
+
 TEST(Motion, ABroomThatIsTooLongAtAnEndFails) {
     Points longer = test::corner();
     longer[2].y += 2 * e;
