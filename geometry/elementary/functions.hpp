@@ -2,13 +2,15 @@
 
 #include <cmath>
 
-/// The functions of <cmath> whose last digits differ from one C library and processor to the next,
-/// here by operations that IEEE 754 rounds everywhere alike: + - * / and square roots. So they give
-/// the same bits on every machine; what planners and the validator compute, they compute with
-/// these. (std::sqrt, floor, round, fabs, remainder, frexp and ldexp are exact in every library.)
+/// The mathematical functions whose last digits differ from one C library and processor to the
+/// next, here by operations that IEEE 754 rounds everywhere alike: + - * / and square roots. So
+/// they give the same bits on every machine; what planners and the validator compute, they compute
+/// with these. (std::sqrt, floor, round, fabs, remainder, frexp and ldexp are exact in every
+/// library.)
 ///
 /// Errors are in ulp, units in the last place of the result: 0.5 ulp is the nearest number. Zeros,
-/// infinities and numbers that are none are taken as by <cmath>, if not told otherwise.
+/// infinities and numbers that are none are taken as by the C library, if not told
+/// otherwise.
 
 namespace asv::elementary {
 
