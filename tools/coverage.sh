@@ -31,7 +31,7 @@ esac
 
 tools/install_packages.sh test
 build=build/coverage
-cmake --preset coverage -DCMAKE_UNITY_BUILD=ON > /dev/null
+cmake --preset coverage > /dev/null
 cmake --build --preset coverage --target "${tests[@]/#/test_}"
 
 # Each program runs all its tests in one process, as every process takes a while to add its counts.

@@ -1,17 +1,18 @@
 #!/usr/bin/env bash
-# Installs what is needed, builds and runs all tests as users run the programs (release), and says at
-# the end which were skipped and why. The Python module is built and tried by release and asan, where
-# the packages of `tools/install_packages.sh python` are there; what stands on OMPL and MPI by release, where
-# those of `tools/install_packages.sh ompl` and `mpi` are.
-# test.sh PRESET... runs them in other builds: asan with the sanitizers for memory and undefined
-# behaviour, by clang, tsan with the one for threads (only tests that start some), clang with that
-# compiler and no sanitizer.
+# Installs what is needed, builds and runs all tests, and says at the end which were skipped and why. The
+# build is the one that the compiler is done with first (quick: less optimised, some files at once); the
+# programs of all builds compute the same. The Python module is tried by quick, release and asan, where
+# the packages of `tools/install_packages.sh python` are there; what stands on OMPL and MPI by quick and
+# release, where those of `tools/install_packages.sh ompl` and `mpi` are.
+# test.sh PRESET... runs them in other builds: release as users run the programs, asan with the sanitizers
+# for memory and undefined behaviour, by clang, tsan with the one for threads (only tests that start some),
+# clang with that compiler and no sanitizer.
 # test.sh packages tries the release build as those meet it who install it (docs/packages.md).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 presets=("$@")
-[ $# -gt 0 ] || presets=(release)
+[ $# -gt 0 ] || presets=(quick)
 case " ${presets[*]} " in
     *" asan "* | *" clang "*) tools/install_packages.sh ci ;;
     *) tools/install_packages.sh test ;;
@@ -63,20 +64,22 @@ for name in "${presets[@]}"; do
     esac
     python=OFF
     case "$name" in
-        release | packages | asan) [ -n "$python_lacks" ] || python=ON ;;
+        quick | release | packages | asan) [ -n "$python_lacks" ] || python=ON ;;
     esac
     ompl=OFF
     mpi=OFF
-    if [ "$name" = release ]; then
-        ompl=$ompl_found
-        [ -n "$mpi_lacks" ] || mpi=ON
-    fi
+    optional=
+    case "$name" in
+        quick | release)
+            optional=wanted
+            ompl=$ompl_found
+            [ -n "$mpi_lacks" ] || mpi=ON
+            ;;
+    esac
     # Packages are made of the release build, and hold nothing that stands on OMPL or MPI.
     build=$name
     [ "$name" != packages ] || build=release
-    # Most of the time of a compiler goes into the headers of the standard library and of Boost, CGAL and
-    # GoogleTest: it reads them once for some files together, which takes a third of the time for all of them.
-    cmake --preset "$build" -DASV_BUILD_TESTS=ON -DASV_WARNINGS_AS_ERRORS="$strict" -DCMAKE_UNITY_BUILD=ON \
+    cmake --preset "$build" -DASV_BUILD_TESTS=ON -DASV_WARNINGS_AS_ERRORS="$strict" \
         -DASV_BUILD_PYTHON="$python" -DASV_BUILD_OMPL="$ompl" -DASV_BUILD_MPI="$mpi"
     cmake --build --preset "$build"
     report=build/$build/$name-tests.xml
@@ -92,7 +95,7 @@ for name in "${presets[@]}"; do
         ctest --preset "$name" --rerun-failed || code=$?
     fi
     [ "$python" = ON ] || [ -z "$python_lacks" ] || echo "No Python module: missing$python_lacks"
-    [ "$name" != release ] || [ "$ompl" = ON ] || echo "Nothing of OMPL: missing libompl-dev"
-    [ "$name" != release ] || [ "$mpi" = ON ] || echo "No programs of MPI: missing$mpi_lacks"
+    [ -z "$optional" ] || [ "$ompl" = ON ] || echo "Nothing of OMPL: missing libompl-dev"
+    [ -z "$optional" ] || [ "$mpi" = ON ] || echo "No programs of MPI: missing$mpi_lacks"
     [ "$code" -eq 0 ] || exit "$code"
 done

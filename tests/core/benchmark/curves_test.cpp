@@ -19,7 +19,7 @@ BenchmarkRun run_of(std::size_t problem, std::size_t planner, std::optional<doub
     return run;
 }
 
-BenchmarkPlan plan_of(std::size_t problems, std::size_t planners) {
+BenchmarkPlan plan_with(std::size_t problems, std::size_t planners) {
     BenchmarkPlan plan;
     plan.problems.resize(problems);
     plan.planners.resize(planners);
@@ -35,7 +35,7 @@ TEST(PerformanceProfiles, HandValues) {
                                          run_of(2, 1, std::nullopt),  // only the first solves it
                                          run_of(3, 0, std::nullopt),
                                          run_of(3, 1, std::nullopt)};
-    const auto profiles = performance_profiles(plan_of(4, 3), runs);
+    const auto profiles = performance_profiles(plan_with(4, 3), runs);
     ASSERT_EQ(profiles.size(), 2U) << "the third planner has not run";
     EXPECT_EQ(profiles[0].tasks, 4U);
     EXPECT_EQ(profiles[0].factors, (Factors{1, 1, 4}));
@@ -47,7 +47,7 @@ TEST(PerformanceProfiles, TakeTheMedianOfAllRuns) {
     std::vector<BenchmarkRun> runs{run_of(0, 0, 1), run_of(0, 0, std::nullopt),
                                    run_of(0, 0, std::nullopt), run_of(0, 1, 5)};
     for (std::size_t i = 0; i < 3; ++i) runs[i].place.seed = i;
-    const auto profiles = performance_profiles(plan_of(1, 2), runs);
+    const auto profiles = performance_profiles(plan_with(1, 2), runs);
     EXPECT_TRUE(profiles[0].factors.empty()) << "it solves one run of three";
     EXPECT_EQ(profiles[1].factors, Factors{1});
 }

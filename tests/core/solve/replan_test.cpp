@@ -18,10 +18,10 @@ using test::expect_solved;
 using test::plain;
 using test::testcase;
 
-constexpr std::uint64_t seed = 1;
+constexpr std::uint64_t the_seed = 1;
 
 Path path_for(const Problem& problem) {
-    return solve(problem, plain(seed)).solution->path;
+    return solve(problem, plain(the_seed)).solution->path;
 }
 
 /// A small box around a point, as one that somebody drags there.
@@ -44,7 +44,7 @@ struct EachBody : ::testing::TestWithParam<const char*> {
 
 TEST_P(EachBody, KeepsAPathThatIsStillValidWithoutASearch) {
     const Problem problem = this->problem();
-    const SolveResult again = replan(problem, path_for(problem), plain(seed));
+    const SolveResult again = replan(problem, path_for(problem), plain(the_seed));
     expect_solved(problem, again);
     EXPECT_FALSE(from_nothing(again));
     EXPECT_EQ(again.statistics.iterations, 0U);
@@ -53,15 +53,15 @@ TEST_P(EachBody, KeepsAPathThatIsStillValidWithoutASearch) {
 TEST_P(EachBody, TheSameSeedGivesTheSamePath) {
     const Problem problem = this->problem();
     const Path last = path_for(problem);
-    const SolveResult once = replan(problem, last, plain(seed));
-    const SolveResult twice = replan(problem, last, plain(seed));
+    const SolveResult once = replan(problem, last, plain(the_seed));
+    const SolveResult twice = replan(problem, last, plain(the_seed));
     ASSERT_TRUE(once.solution && twice.solution);
     EXPECT_TRUE(std::ranges::equal(once.solution->path.points(), twice.solution->path.points()));
 }
 
 TEST_P(EachBody, TakesTheOldPathTheOtherWayRound) {
     Problem problem = this->problem();
-    SolveOptions options = plain(seed);
+    SolveOptions options = plain(the_seed);
     options.reverse = true;
     const SolveResult again = replan(problem, path_for(problem), options);
     expect_solved(problem, again);
@@ -71,7 +71,7 @@ TEST_P(EachBody, TakesTheOldPathTheOtherWayRound) {
 TEST_P(EachBody, CertifiesMotionAndLeavesOutBoundsWithoutAnotherPath) {
     const Problem problem = this->problem();
     const Path last = path_for(problem);
-    SolveOptions options = plain(seed);
+    SolveOptions options = plain(the_seed);
     const SolveResult usual = replan(problem, last, options);
     options.certify_motion = true;
     options.find_bounds = false;
@@ -102,7 +102,7 @@ TEST(Replan, GoesRoundABoxThatIsPutOnThePath) {
     problem.obstacles.push_back(box_at(last.state(last.size() / 2)[asv]));
     ASSERT_TRUE(invalid_ends(problem).empty());
     ASSERT_FALSE(validate(problem, {last, cost(problem, last)}).valid());
-    expect_solved(problem, replan(problem, last, plain(seed)));
+    expect_solved(problem, replan(problem, last, plain(the_seed)));
 }
 
 TEST(Replan, FollowsEndsThatMove) {
@@ -112,17 +112,17 @@ TEST(Replan, FollowsEndsThatMove) {
     const auto start = last.state(later), goal = last.state(last.size() - 1 - later);
     problem.start.assign(start.begin(), start.end());
     problem.goal.assign(goal.begin(), goal.end());
-    const SolveResult again = replan(problem, last, plain(seed));
+    const SolveResult again = replan(problem, last, plain(the_seed));
     expect_solved(problem, again);
     EXPECT_FALSE(from_nothing(again));
 }
 
 TEST(Replan, PlansFromNothingWhereTheLastPathIsOfAnotherNumberOfAsvs) {
     const Problem problem = testcase("3ASV.txt");
-    const SolveResult again = replan(problem, path_for(testcase("7ASV.txt")), plain(seed));
+    const SolveResult again = replan(problem, path_for(testcase("7ASV.txt")), plain(the_seed));
     expect_solved(problem, again);
     EXPECT_TRUE(from_nothing(again));
-    const SolveResult of_none = replan(problem, Path(problem.asv_count()), plain(seed));
+    const SolveResult of_none = replan(problem, Path(problem.asv_count()), plain(the_seed));
     expect_solved(problem, of_none);
 }
 
@@ -135,10 +135,10 @@ TEST(Replan, AnyPathWillDo) {
             for (Point& point : state) point = {rng.uniform(-1, 2), rng.uniform(-1, 2)};
             nonsense.push_back(state);
         }
-        expect_solved(problem, replan(problem, nonsense, plain(seed)));
+        expect_solved(problem, replan(problem, nonsense, plain(the_seed)));
         state[0].x = std::numeric_limits<double>::quiet_NaN();
         nonsense.push_back(state);
-        expect_solved(problem, replan(problem, nonsense, plain(seed)));
+        expect_solved(problem, replan(problem, nonsense, plain(the_seed)));
     });
 }
 
@@ -146,7 +146,7 @@ TEST(Replan, SaysThatEndsAreInvalidAsSolveDoes) {
     Problem problem = testcase("3ASV.txt");
     const Path last = path_for(problem);
     problem.obstacles.push_back(box_at(problem.start[1]));
-    EXPECT_THROW(replan(problem, last, plain(seed)), InvalidEnds);
+    EXPECT_THROW(replan(problem, last, plain(the_seed)), InvalidEnds);
 }
 
 /// Whose steering is straight may have to start from nothing.
@@ -155,7 +155,7 @@ TEST(Replan, EveryPlannerFindsAPath) {
     const Path last = path_for(problem);
     for (const std::string_view name : planner_names()) {
         SCOPED_TRACE(name);
-        SolveOptions options = plain(seed);
+        SolveOptions options = plain(the_seed);
         options.planner = planner_named(name);
         expect_solved(problem, replan(problem, last, options));
     }

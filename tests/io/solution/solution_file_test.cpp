@@ -13,7 +13,7 @@
 namespace asv::io {
 namespace {
 
-std::string error_of(const std::string& text, std::size_t asv_count = 2) {
+std::string error_of_solution(const std::string& text, std::size_t asv_count = 2) {
     return test::error_message<ParseError>([&] { parse_solution(text, asv_count, "s"); });
 }
 
@@ -31,19 +31,21 @@ TEST(SolutionFile, AnUnmovedChainHasNoSteps) {
 }
 
 TEST(SolutionFile, ErrorsNameThePlaceAndWhatWasDue) {
-    EXPECT_EQ(error_of(""),
+    EXPECT_EQ(error_of_solution(""),
               "s:1:1: expected the number of primitive steps (a whole number from 0 to 24999999), "
               "found end of file");
-    EXPECT_EQ(error_of("-1 0\n"),
+    EXPECT_EQ(error_of_solution("-1 0\n"),
               "s:1:1: expected the number of primitive steps (a whole number from 0 to 24999999), "
               "found \"-1\"");
-    EXPECT_EQ(error_of("1\n"), "s:1:2: expected a number (the total cost), found end of file");
-    EXPECT_EQ(error_of("1 nan\n"),
+    EXPECT_EQ(error_of_solution("1\n"),
+              "s:1:2: expected a number (the total cost), found end of file");
+    EXPECT_EQ(error_of_solution("1 nan\n"),
               "s:1:3: expected a number (the total cost), found \"nan\" (not a number)");
-    EXPECT_EQ(error_of("1 0\n0 0 1 1\n"), "s:3:1: expected state 1 of 0 to 1, found end of file");
-    EXPECT_EQ(error_of("1 0\n0 0 1\n"),
+    EXPECT_EQ(error_of_solution("1 0\n0 0 1 1\n"),
+              "s:3:1: expected state 1 of 0 to 1, found end of file");
+    EXPECT_EQ(error_of_solution("1 0\n0 0 1\n"),
               "s:2:6: expected a number (y of ASV 2 in state 0), found end of file");
-    EXPECT_EQ(error_of("1 0\n\n0 0 1 1\n"),
+    EXPECT_EQ(error_of_solution("1 0\n\n0 0 1 1\n"),
               "s:2:1: expected a number (x of ASV 1 in state 0), found end of line");
 }
 
@@ -67,9 +69,9 @@ TEST(SolutionFile, TakesWhatItNeedsAndTellsWhatItIgnores) {
 }
 
 TEST(SolutionFile, ACountThatPromisesTooMuchCostsNothing) {
-    EXPECT_EQ(error_of("24999999 0\n0 0 1 1\n"),
+    EXPECT_EQ(error_of_solution("24999999 0\n0 0 1 1\n"),
               "s:3:1: expected state 1 of 0 to 24999999, found end of file");
-    EXPECT_EQ(error_of("25000000 0\n0 0 1 1\n"),
+    EXPECT_EQ(error_of_solution("25000000 0\n0 0 1 1\n"),
               "s:1:1: expected the number of primitive steps (a whole number from 0 to 24999999), "
               "found \"25000000\"");
 }

@@ -38,11 +38,11 @@ double first_invalid(const Row& from, const Row& step, int moments,
     return 1;
 }
 
-struct Tally {
+struct LineTally {
     std::size_t valid = 0, invalid = 0, falsely_refuted = 0;
 };
 
-void check_lines(std::size_t points, std::size_t box_count, Tally& tally) {
+void check_lines(std::size_t points, std::size_t box_count, LineTally& tally) {
     const std::uint64_t seed = 100 * points + box_count;
     test::Random random(seed);
     const std::vector<Box> boxes = test::dust(box_count, random);
@@ -73,7 +73,7 @@ void check_lines(std::size_t points, std::size_t box_count, Tally& tally) {
 }
 
 TEST(LineCheck, ProvesWhatIsValidAndNothingElse) {
-    Tally tally;
+    LineTally tally;
     for (const std::size_t points : {3UL, 7UL, 15UL}) {
         for (const std::size_t boxes : {0UL, 7UL, 300UL}) {
             check_lines(points, boxes, tally);

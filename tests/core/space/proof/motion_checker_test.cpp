@@ -21,7 +21,7 @@ using test::Row;
 using test::scaled;
 
 /// Rounding of the checker and of the oracle; far below every margin.
-constexpr double rounding = 1e-12;
+constexpr double rounding_of_checks = 1e-12;
 
 TEST(Motion, WhatIsCertifiedIsValidAndLittleElseIsRefused) {
     std::size_t certified = 0, blocked = 0, refuted = 0;
@@ -29,7 +29,7 @@ TEST(Motion, WhatIsCertifiedIsValidAndLittleElseIsRefused) {
         const Oracle::Lowest worst = place.oracle.lowest(from, to, 250);
         if (place.checker.valid(from, to)) {
             ++certified;
-            ASSERT_GE(worst.room, -rounding) << "at " << worst.t;
+            ASSERT_GE(worst.room, -rounding_of_checks) << "at " << worst.t;
             ASSERT_TRUE(place.oracle.judged_valid(between(from, to, worst.t)));
         } else if (worst.room > 1e-6) {
             ++refuted;
@@ -55,7 +55,7 @@ TEST(Motion, ThousandSamplesForEveryPrimitiveStepFindNothing) {
         const auto samples = static_cast<int>(1e6 * place.oracle.moved(from, to)) + 1;
         for (int i = 0; i <= samples; ++i) {
             const Row row = between(from, to, static_cast<double>(i) / samples);
-            ASSERT_GE(place.oracle.room(row), -rounding) << "sample " << i;
+            ASSERT_GE(place.oracle.room(row), -rounding_of_checks) << "sample " << i;
             if (i % 10 == 0) {
                 ASSERT_TRUE(place.oracle.judged_valid(row)) << "sample " << i;
             }
@@ -69,7 +69,7 @@ TEST(Motion, StatesAreJudgedAsByTheOracle) {
     std::size_t valid = 0, invalid = 0;
     for_motions(scaled(5), 300, [&](MotionWorld& place, const Row&, const Row& row) {
         const double room = place.oracle.room(row);
-        if (std::abs(room) < rounding) return;
+        if (std::abs(room) < rounding_of_checks) return;
         ASSERT_EQ(place.checker.valid(row), room > 0) << "room " << room;
         (room > 0 ? valid : invalid) += 1;
     });
@@ -84,11 +84,11 @@ TEST(Motion, PrefixEndsShortlyBeforeTheFirstInvalidState) {
             const double proven = place.checker.valid_prefix(from, to, resolution);
             ASSERT_LE(proven, 1);
             if (proven < 0) {
-                ASSERT_LE(place.oracle.room(from), rounding);
+                ASSERT_LE(place.oracle.room(from), rounding_of_checks);
                 continue;
             }
             const Row end = between(from, to, proven);
-            ASSERT_GE(place.oracle.lowest(from, end, 100).room, -rounding);
+            ASSERT_GE(place.oracle.lowest(from, end, 100).room, -rounding_of_checks);
             if (proven >= 1) continue;
             ++blocked;
             // No ASV gets farther than the resolution from where the motion stopped.

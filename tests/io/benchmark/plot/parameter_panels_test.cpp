@@ -11,7 +11,7 @@ namespace asv::io {
 namespace {
 
 /// The first problem at 0.1, the second at 0.3.
-BenchmarkReport sample() {
+BenchmarkReport sweep_over_n() {
     BenchmarkReport report = test::sample_report();
     report.plan.problems[0].parameters = {{"height", 0.1}};
     report.plan.problems[1].parameters = {{"height", 0.3}};
@@ -20,7 +20,7 @@ BenchmarkReport sample() {
 }
 
 TEST(ParameterPanels, HaveALineAndABandForEachPlanner) {
-    const std::vector<CurvePanel> panels = parameter_panels(sample());
+    const std::vector<CurvePanel> panels = parameter_panels(sweep_over_n());
     ASSERT_EQ(panels.size(), 2U);
     for (const CurvePanel& panel : panels) {
         EXPECT_EQ(panel.name, "height");
@@ -41,7 +41,7 @@ TEST(ParameterPanels, HaveALineAndABandForEachPlanner) {
 }
 
 TEST(ParameterPanels, MediansBeyondTheLimitAreNotDrawn) {
-    BenchmarkReport report = sample();
+    BenchmarkReport report = sweep_over_n();
     for (core::BenchmarkRun& run : report.runs) run.status = core::RunStatus::timeout;
     const std::vector<CurvePanel> panels = parameter_panels(report);
     EXPECT_TRUE(panels[0].curves[0].line.empty());
@@ -50,8 +50,9 @@ TEST(ParameterPanels, MediansBeyondTheLimitAreNotDrawn) {
 }
 
 TEST(ParameterPanels, AreDrawnInEveryFormat) {
-    EXPECT_TRUE(draw_parameter(sample(), PictureFormat::png, Theme::dark).starts_with("\x89PNG"));
-    const std::string svg = draw_parameter(sample(), PictureFormat::svg, Theme::light);
+    EXPECT_TRUE(
+        draw_parameter(sweep_over_n(), PictureFormat::png, Theme::dark).starts_with("\x89PNG"));
+    const std::string svg = draw_parameter(sweep_over_n(), PictureFormat::svg, Theme::light);
     EXPECT_NE(svg.find("<title>Over height"), std::string::npos);
 }
 
