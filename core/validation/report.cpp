@@ -39,14 +39,15 @@ std::string link_name(const Offender& offender) {
     return numbered(part_names(offender.body).link, offender.broom);
 }
 
-/// With so many digits that it is not the same as what is wanted. Precondition: apart > 0.
+/// With so many digits that it is not the same as what is wanted.
 std::string telling_number(double value, double other, double apart) {
     constexpr int fewest = 3, most = 17;
     const double scale = std::max(std::abs(value), std::abs(other));
+    constexpr double rounding = 1e-17;
     int digits = fewest;
-    for (double told = apart * 100; told < scale && digits < most; told *= 10) ++digits;
+    for (double told = 100 * std::max(apart, rounding * scale); told < scale; told *= 10) ++digits;
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+    std::snprintf(text.data(), text.size(), "%.*g", std::min(digits, most), value);
     return text.data();
 }
 
