@@ -65,6 +65,14 @@ TEST(Describe, TellsALargeToleranceToo) {
               "broom 1 is 1.5 long, 1 within 0.25 is wanted");
 }
 
+TEST(Describe, ALengthWithoutRoomHasAllDigits) {
+    Offender offender;
+    offender.broom = 0;
+    offender.wanted_length = offender.length = 0.05;
+    EXPECT_EQ(describe(Check::broom_lengths, offender),
+              "broom 1 is 0.050000000000000003 long, 0.050000000000000003 within 0 is wanted");
+}
+
 TEST(Describe, AnInfiniteLengthHasNoDigits) {
     const double infinite = std::numeric_limits<double>::infinity();
     Offender offender;

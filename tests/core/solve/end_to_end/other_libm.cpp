@@ -32,57 +32,31 @@ OtherLibm::~OtherLibm() {
 
 // A program's own functions go before those of the C library.
 extern "C" {
-double acos(double x) noexcept {
-    return rounded(std::acos(wide(x)));
-}
-double asin(double x) noexcept {
-    return rounded(std::asin(wide(x)));
-}
-double atan(double x) noexcept {
-    return rounded(std::atan(wide(x)));
-}
-double atan2(double y, double x) noexcept {
-    return rounded(std::atan2(wide(y), wide(x)));
-}
-double cbrt(double x) noexcept {
-    return rounded(std::cbrt(wide(x)));
-}
-double cos(double x) noexcept {
-    return rounded(std::cos(wide(x)));
-}
-double exp(double x) noexcept {
-    return rounded(std::exp(wide(x)));
-}
-double exp2(double x) noexcept {
-    return rounded(std::exp2(wide(x)));
-}
-double expm1(double x) noexcept {
-    return rounded(std::expm1(wide(x)));
-}
-double hypot(double x, double y) noexcept {
-    return rounded(std::hypot(wide(x), wide(y)));
-}
-double log(double x) noexcept {
-    return rounded(std::log(wide(x)));
-}
-double log10(double x) noexcept {
-    return rounded(std::log10(wide(x)));
-}
-double log1p(double x) noexcept {
-    return rounded(std::log1p(wide(x)));
-}
-double log2(double x) noexcept {
-    return rounded(std::log2(wide(x)));
-}
-double pow(double x, double y) noexcept {
-    return rounded(std::pow(wide(x), wide(y)));
-}
-double sin(double x) noexcept {
-    return rounded(std::sin(wide(x)));
-}
-double tan(double x) noexcept {
-    return rounded(std::tan(wide(x)));
-}
+#define ASV_OTHER_OF_ONE(name)              \
+    double name(double x) noexcept {        \
+        return rounded(std::name(wide(x))); \
+    }
+#define ASV_OTHER_OF_TWO(name)                       \
+    double name(double x, double y) noexcept {       \
+        return rounded(std::name(wide(x), wide(y))); \
+    }
+ASV_OTHER_OF_ONE(acos)
+ASV_OTHER_OF_ONE(asin)
+ASV_OTHER_OF_ONE(atan)
+ASV_OTHER_OF_ONE(cbrt)
+ASV_OTHER_OF_ONE(cos)
+ASV_OTHER_OF_ONE(exp)
+ASV_OTHER_OF_ONE(exp2)
+ASV_OTHER_OF_ONE(expm1)
+ASV_OTHER_OF_ONE(log)
+ASV_OTHER_OF_ONE(log10)
+ASV_OTHER_OF_ONE(log1p)
+ASV_OTHER_OF_ONE(log2)
+ASV_OTHER_OF_ONE(sin)
+ASV_OTHER_OF_ONE(tan)
+ASV_OTHER_OF_TWO(atan2)
+ASV_OTHER_OF_TWO(hypot)
+ASV_OTHER_OF_TWO(pow)
 void sincos(double x, double* sine, double* cosine) noexcept {
     *sine = sin(x);
     *cosine = cos(x);
