@@ -5,14 +5,15 @@
 # own tests. tools/coverage/table.py tells what a branch is; `tools/coverage/table.py build/coverage
 # core/search --missing` then tells which of a room were never taken.
 # Not run, so not counted: pages and shells (browser, docs, site, manual), Python, OMPL and MPI; signals and time
-# limits, which so slow a build does not keep. A process that ends by a signal or by _exit leaves no counts: what
+# limits, which so slow a build does not keep; programs whose single allocations fail, since gcov's own code ends
+# by a fault when one of its fails. A process that ends by a signal or by _exit leaves no counts: what
 # asv-bench computes in processes of its own is counted only where other tests run it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 # Percent of the branches.
 validation_gate=100
-whole_gate=74
+whole_gate=82
 
 tests=(validation)
 folder=core/validation
@@ -38,7 +39,7 @@ cmake --build --preset coverage --target "${tests[@]/#/test_}"
 find "$build" -name '*.gcda' -delete
 export ASV_TEST_SCALE=${ASV_TEST_SCALE:-0.1}
 export GTEST_BRIEF=1
-export GTEST_FILTER='-Signals*:FewProcesses*:TimeLimits*:*EverySignal*'
+export GTEST_FILTER='-Signals*:FewProcesses*:TimeLimits*:*EverySignal*:*SaysThatItHasNoMemory*'
 run_test() {
     "$1/tests/test_$2" > "$1/$2.log" 2>&1 && return
     tail -n 50 "$1/$2.log"
