@@ -1,12 +1,18 @@
 #include "io/text/temporary_file.hpp"
 
+#include <array>
 #include <cerrno>
+#include <csignal>
+#include <cstddef>
 #include <ctime>
 #include <random>
 #include <string>
+#include <utility>
 
 #include <fcntl.h>
+#include <sched.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "io/text/write_all.hpp"
@@ -47,6 +53,63 @@ fs::path hidden_name(const fs::path& target) {
     return target.parent_path() / (name + ".tmp");
 }
 
+/// How the system calls a file that this process has open.
+std::string open_file_name(int descriptor) {
+    return "/proc/self/fd/" + std::to_string(descriptor);
+}
+
+/// Gives an open file a name; false, with errno set, when that fails.
+bool link_open_file(const std::string& open_file, const fs::path& name) {
+    return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
+/// Puts an open file that has no name into the place of an old file. That takes two calls, and the
+/// hidden name between them would stay where SIGKILL ends the process there.
+class Replacement {
+  public:
+    Replacement(std::string open_file, fs::path target)
+        : open_file_(std::move(open_file)),
+          hidden_(hidden_name(target)),
+          target_(std::move(target)) {}
+
+    /// Both calls by a child that shares our memory, and goes on when we are killed. False, with
+    /// errno set, when one fails.
+    bool run() {
+        constexpr int as_vfork = CLONE_VM | CLONE_VFORK | CLONE_FILES | CLONE_FS;
+        std::array<std::byte, 64 * 1024> stack;
+        const pid_t child = ::clone(run_in_child, stack.data() + stack.size(), as_vfork, this);
+        if (child < 0) {
+            link_and_rename();
+        } else {
+            // No other wait() of this process takes a child that sends no signal at its end.
+            constexpr int such_a_child = static_cast<int>(__WCLONE);
+            while (::waitpid(child, nullptr, such_a_child) < 0 && errno == EINTR) {
+            }
+        }
+        errno = error_;
+        return error_ == 0;
+    }
+
+  private:
+    static int run_in_child(void* replacement) {
+        static_cast<Replacement*>(replacement)->link_and_rename();
+        return 0;
+    }
+
+    void link_and_rename() {
+        if (!link_open_file(open_file_, hidden_)) {
+            error_ = errno;
+        } else if (::rename(hidden_.c_str(), target_.c_str()) != 0) {
+            error_ = errno;
+            ::unlink(hidden_.c_str());
+        }
+    }
+
+    const std::string open_file_;
+    const fs::path hidden_, target_;
+    int error_ = 0;
+};
+
 /// A file that has no name yet, or a hidden one, and goes with this object unless it was published.
 class HiddenFile {
   public:
@@ -76,28 +139,19 @@ class HiddenFile {
     /// Gives it the name of the target; false, with errno set, when that fails.
     bool publish() {
         const SignalsHeld no_interruption;
-        const bool nameless = name_.empty();
-        if (nameless) {
-            // A new name can be had in one step; an old one is replaced by a rename alone.
-            if (link_to(target_)) return close();
-            if (errno != EEXIST) return false;
-            const fs::path name = hidden_name(target_);
-            if (!link_to(name)) return false;
-            name_ = name;
+        if (!name_.empty()) {
+            if (!close() || ::rename(name_.c_str(), target_.c_str()) != 0) return false;
+            name_.clear();
+            return true;
         }
-        // The system may tell of a failed write only now, as NFS does.
-        if (!close() || ::rename(name_.c_str(), target_.c_str()) != 0) return false;
-        name_.clear();
-        return true;
+        // A new name can be had in one step.
+        const std::string open_file = open_file_name(descriptor_);
+        if (link_open_file(open_file, target_)) return close();
+        return errno == EEXIST && Replacement(open_file, target_).run() && close();
     }
 
   private:
-    bool link_to(const fs::path& name) const {
-        const std::string open_file = "/proc/self/fd/" + std::to_string(descriptor_);
-        return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) ==
-               0;
-    }
-
+    /// The system may tell of a failed write only now, as NFS does.
     bool close() {
         const int descriptor = descriptor_;
         descriptor_ = -1;
