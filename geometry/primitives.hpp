@@ -32,6 +32,11 @@ constexpr bool is_empty(const Box& box) {
     return box.low.x > box.high.x || box.low.y > box.high.y;
 }
 
+/// Also of boxes whose corners are as large as a double can be.
+constexpr Point centre(const Box& box) {
+    return {box.low.x / 2 + box.high.x / 2, box.low.y / 2 + box.high.y / 2};
+}
+
 /// Is the point in the closed box?
 constexpr bool contains(const Box& box, const Point& point) {
     return box.low.x <= point.x && point.x <= box.high.x && box.low.y <= point.y &&

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "geometry/boxes/span.hpp"
 #include "geometry/elementary/functions.hpp"
 
 namespace asv::core {
@@ -17,23 +18,6 @@ struct Wall {
     Box whole;
     Box shrunk;
 };
-
-/// The interval between two intervals, or the one that they share.
-struct Interval {
-    double low;
-    double high;
-};
-
-Interval between(double low_a, double high_a, double low_b, double high_b) {
-    const double low = std::max(low_a, low_b);
-    const double high = std::min(high_a, high_b);
-    return {std::min(low, high), std::max(low, high)};
-}
-
-/// How far two intervals are apart; negative where they overlap.
-double apart(double low_a, double high_a, double low_b, double high_b) {
-    return std::max(low_a, low_b) - std::min(high_a, high_b);
-}
 
 bool vanishes(const Box& box) {
     return box.low.x >= box.high.x || box.low.y >= box.high.y;
@@ -69,17 +53,14 @@ Box transposed(const Box& box) {
 std::optional<Seam> vertical_seam(const Wall& left, const Wall& right, double tolerance) {
     const double gap = right.whole.low.x - left.whole.high.x;
     if (gap > tolerance) return std::nullopt;
-    if (apart(left.whole.low.y, left.whole.high.y, right.whole.low.y, right.whole.high.y) >
-        tolerance) {
-        return std::nullopt;
-    }
+    if (apart(y_span(left.whole), y_span(right.whole)) > tolerance) return std::nullopt;
     const Box& a = left.shrunk;
     const Box& b = right.shrunk;
-    const Interval y = between(a.low.y, a.high.y, b.low.y, b.high.y);
+    const geometry::Span y = between(y_span(a), y_span(b));
     Seam seam;
     seam.gap = {{a.high.x, y.low}, {b.low.x, y.high}};
     seam.width = gap + 2 * tolerance;
-    seam.depth = std::max(0.0, -apart(a.low.y, a.high.y, b.low.y, b.high.y));
+    seam.depth = std::max(0.0, -apart(y_span(a), y_span(b)));
     return seam;
 }
 

@@ -1,9 +1,9 @@
 #include "core/routes/gates.hpp"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
+#include "geometry/boxes/span.hpp"
 #include "geometry/elementary/functions.hpp"
 #include "geometry/predicates/segment_box.hpp"
 
@@ -18,15 +18,6 @@ using geometry::Segment;
 /// By so much the line of a gate reaches into the boxes on both sides, which a way may graze.
 constexpr double overreach = 1e-4;
 
-/// What lies between two intervals, or what they share.
-std::pair<double, double> between(double low, double high, double other_low, double other_high) {
-    return std::minmax(std::max(low, other_low), std::min(high, other_high));
-}
-
-bool apart(double low, double high, double other_low, double other_high) {
-    return low > other_high || other_low > high;
-}
-
 struct Gate {
     Box gap;
     Segment line;  ///< from one box to the other, with its overreach
@@ -36,19 +27,19 @@ struct Gate {
 /// middle, else it leads from corner to corner.
 Gate gate_between(const Box& a, const Box& b) {
     Gate gate;
-    std::tie(gate.gap.low.x, gate.gap.high.x) = between(a.low.x, a.high.x, b.low.x, b.high.x);
-    std::tie(gate.gap.low.y, gate.gap.high.y) = between(a.low.y, a.high.y, b.low.y, b.high.y);
-    const bool apart_x = apart(a.low.x, a.high.x, b.low.x, b.high.x);
-    const bool apart_y = apart(a.low.y, a.high.y, b.low.y, b.high.y);
-    const Point centre{0.5 * (gate.gap.low.x + gate.gap.high.x),
-                       0.5 * (gate.gap.low.y + gate.gap.high.y)};
-    Point half{apart_x ? centre.x - gate.gap.low.x : 0, apart_y ? centre.y - gate.gap.low.y : 0};
+    const geometry::Span x = between(x_span(a), x_span(b));
+    const geometry::Span y = between(y_span(a), y_span(b));
+    gate.gap = {{x.low, y.low}, {x.high, y.high}};
+    const bool apart_x = apart(x_span(a), x_span(b)) > 0;
+    const bool apart_y = apart(y_span(a), y_span(b)) > 0;
+    const Point middle = geometry::centre(gate.gap);
+    Point half{apart_x ? middle.x - x.low : 0, apart_y ? middle.y - y.low : 0};
     const double length = elementary::hypot(half.x, half.y);
     const double stretch = (length + overreach) / length;
     half = {half.x * stretch, half.y * stretch};
     // Corner to corner is the falling diagonal where one box is to the right of the other, below.
     if (apart_x && apart_y && (a.low.x > b.high.x) != (a.low.y > b.high.y)) half.y = -half.y;
-    gate.line = {{centre.x - half.x, centre.y - half.y}, {centre.x + half.x, centre.y + half.y}};
+    gate.line = {{middle.x - half.x, middle.y - half.y}, {middle.x + half.x, middle.y + half.y}};
     return gate;
 }
 

@@ -13,15 +13,13 @@ namespace {
 /// So many shortcuts in a row without a gain, and it is time for the other method.
 constexpr int shortcut_patience = 60;
 /// Of the path, as long as a shortcut may be; drawn for each.
-constexpr double shortcut_shares[] = {1.0, 0.5, 0.25, 0.1};
+constexpr double chain_shortcut_shares[] = {1.0, 0.5, 0.25, 0.1};
 /// Times that the path is pulled at one spacing, and the share of the cost that one pull has to
 /// gain to go on.
 constexpr int most_pulls = 30;
-constexpr double min_gain = 2e-4;
+constexpr double min_pull_gain = 2e-4;
 /// A round of everything that gains less than this share of the cost is the last one.
 constexpr double min_round_gain = 1e-4;
-/// A path that shortcuts leave so many times as long as the best one is not worth pulling taut.
-constexpr double hopeless = 1.25;
 
 }  // namespace
 
@@ -53,7 +51,7 @@ void ChainShortener::shorten(Improvement& improvement, Rng& rng) {
     for (double before = 0; before != improvement.cost() && !improvement.finished();) {
         before = improvement.cost();
         shortcut(improvement, shortcut_patience, rng);
-        if (improvement.cost() > hopeless * improvement.best_cost()) return;
+        if (improvement.hopeless()) return;
         for (const double spacing : {coarse_spacing, fine_spacing})
             pull_taut(improvement, spacing, most_pulls);
         if (before - improvement.cost() < min_round_gain * improvement.cost()) return;
@@ -90,7 +88,7 @@ void ChainShortener::shortcut(Improvement& improvement, int patience, Rng& rng) 
         return shortcutter.attempt_partial(first, count, valid, share, rng);
     };
     for (int failures = 0; failures < patience && !improvement.finished();) {
-        const double share = shortcut_shares[rng.below(std::size(shortcut_shares))];
+        const double share = chain_shortcut_shares[rng.below(std::size(chain_shortcut_shares))];
         const std::size_t kind = rng.below(3);
         const bool gained = kind == 0   ? shortcutter.attempt(straight, share, rng)
                             : kind == 1 ? shortcutter.attempt(slide, share, rng)
@@ -104,7 +102,7 @@ void ChainShortener::pull_taut(Improvement& improvement, double spacing, int max
     band_.take(improvement.path(), spacing);
     const auto finished = [&] { return improvement.finished(); };
     for (int pull = 0; pull < max_pulls && !finished(); ++pull)
-        if (band_.tighten(finished) < min_gain * improvement.cost()) break;
+        if (band_.tighten(finished) < min_pull_gain * improvement.cost()) break;
     improvement.keep(band_.path());
 }
 

@@ -8,6 +8,8 @@ namespace asv::core {
 
 namespace {
 
+/// A path that costs so many times the best one after its first shortcuts is given up.
+constexpr double hopeless_ratio = 1.25;
 /// Searches that fail, and from then on each may take so many times as long.
 constexpr int failures_to_grow = 5;
 constexpr double growth = 2;
@@ -46,6 +48,10 @@ void Improvement::note_best() {
 
 double Improvement::work_left() const {
     return end_of_work_ - shortener_.work();
+}
+
+bool Improvement::hopeless() const {
+    return cost_ > hopeless_ratio * best_cost_;
 }
 
 bool Improvement::finished() const {

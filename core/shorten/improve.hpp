@@ -55,6 +55,8 @@ class Improvement {
     void charge(double work) { end_of_work_ -= work; }
     /// Microseconds of work that are left.
     double work_left() const;
+    /// Is the path, after its first shortcuts, too far from the best one to be worth more?
+    bool hopeless() const;
     /// Is the best path as good as it gets?
     bool optimal() const { return best_cost_ <= options_.good_enough; }
     /// Is the work spent, the time up, or the best path as good as it gets?

@@ -10,15 +10,14 @@ namespace asv::core {
 namespace {
 
 /// So many shortcuts in a row without a gain, and the path is as short as they make it.
-constexpr int patience = 200;
-/// A path that so many shortcuts leave so many times as long as the best one is not worth more.
+constexpr int failures_to_end = 200;
+/// After so many shortcuts it is seen whether a path is worth more.
 constexpr int attempts_to_judge = 100;
-constexpr double hopeless = 1.25;
 /// Of the shortcuts, those of one joint alone.
 constexpr double partial_share = 0.5;
 /// Of the path, as long as a shortcut may be; drawn for each. Twice the path: often from end to
 /// end.
-constexpr double shortcut_shares[] = {2.0, 1.0, 0.5, 0.25, 0.1};
+constexpr double joint_shortcut_shares[] = {2.0, 1.0, 0.5, 0.25, 0.1};
 
 }  // namespace
 
@@ -54,11 +53,9 @@ void JointShortener::shorten(Improvement& improvement, Rng& rng) {
         return shortcutter.attempt_partial(rng.below(space_.dimension()), 1, valid, share, rng);
     };
     int attempts = 0;
-    for (int failures = 0; failures < patience && !improvement.finished();) {
-        if (++attempts == attempts_to_judge &&
-            improvement.cost() > hopeless * improvement.best_cost())
-            return;
-        const double share = shortcut_shares[rng.below(std::size(shortcut_shares))];
+    for (int failures = 0; failures < failures_to_end && !improvement.finished();) {
+        if (++attempts == attempts_to_judge && improvement.hopeless()) return;
+        const double share = joint_shortcut_shares[rng.below(std::size(joint_shortcut_shares))];
         const bool gained = rng.chance(partial_share) ? attempt_one_joint(share)
                                                       : shortcutter.attempt(straight, share, rng);
         failures = gained ? 0 : failures + 1;

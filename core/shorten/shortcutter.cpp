@@ -7,7 +7,7 @@ namespace asv::core {
 namespace {
 
 /// A gain below this share of the path's cost is not worth a more broken path.
-constexpr double min_gain = 1e-5;
+constexpr double min_shortcut_gain = 1e-5;
 
 }  // namespace
 
@@ -77,7 +77,7 @@ bool Shortcutter::gains() {
         renewed += motion_cost_(previous, row);
         previous = row;
     }
-    return renewed <= cumulative_[next] - cumulative_[first_.after] - min_gain * cost();
+    return renewed <= cumulative_[next] - cumulative_[first_.after] - min_shortcut_gain * cost();
 }
 
 void Shortcutter::replace() {

@@ -8,7 +8,7 @@ namespace asv::geometry::detail {
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float float_infinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t width = WideNode::width;
 
 struct Entry {
@@ -38,7 +38,7 @@ constexpr Box no_box{{nan, nan}, {nan, nan}};
 /// A box in single precision that holds the original.
 using FloatBox = std::array<float, 4>;
 
-constexpr FloatBox nothing{infinity, infinity, -infinity, -infinity};
+constexpr FloatBox nothing{float_infinity, float_infinity, -float_infinity, -float_infinity};
 
 FloatBox rounded_out(const Box& box) {
     return {rounded_down(box.low.x), rounded_down(box.low.y), rounded_up(box.high.x),

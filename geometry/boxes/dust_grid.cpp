@@ -20,10 +20,6 @@ constexpr double longest_half_side = 1.0 / 16;
 /// How many further lines there may be for each cell.
 constexpr double max_further = 1.0 / 16;
 
-Point centre(const Box& box) {
-    return {box.low.x / 2 + box.high.x / 2, box.low.y / 2 + box.high.y / 2};
-}
-
 Point half_sides(const Box& box) {
     return {box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2};
 }

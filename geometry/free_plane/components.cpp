@@ -11,10 +11,6 @@ namespace asv::geometry::detail {
 
 namespace {
 
-Point centre(const Box& box) {
-    return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
-}
-
 /// Visits cells from one on, those near a target first.
 class Flood {
   public:

@@ -130,7 +130,7 @@ Box bounds(const std::vector<Point>& points) {
 Box label_place(const Box& chain, double width, const Scene& scene, const Page& page) {
     const double height = label_size + 6;
     const double gap = end_dot + 5;
-    const Point middle{(chain.low.x + chain.high.x) / 2, (chain.low.y + chain.high.y) / 2};
+    const Point middle = geometry::centre(chain);
     const auto box = [&](double x, double y) { return Box{{x, y}, {x + width, y + height}}; };
     const std::array<Box, 4> places{box(middle.x - width / 2, chain.high.y + gap),
                                     box(middle.x - width / 2, chain.low.y - gap - height),

@@ -53,7 +53,7 @@ void paint_as_pixels(Canvas& canvas, const Scene& scene, const Page& page, const
 /// Where the number of an obstacle stands on the page.
 Box number_place(Canvas& canvas, const Box& box, const std::string& number,
                  const TextStyle& style) {
-    const Point middle{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
+    const Point middle = geometry::centre(box);
     const double half_width = canvas.text_width(number, style) / 2 + 2;
     const double half_height = 8;
     return {{middle.x - half_width, middle.y - half_height},

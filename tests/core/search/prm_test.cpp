@@ -6,21 +6,22 @@
 #include "core/model/problem.hpp"
 #include "tests/kit/scaled.hpp"
 #include "tests/kit/seeds.hpp"
-#include "tests/kit/toy_spaces.hpp"
+#include "tests/kit/toy_planners.hpp"
 
 namespace asv::core {
 namespace {
 
+using test::goal;
 using test::nth;
 using test::PointSpace;
 using test::Row;
+using test::start;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Prm, PathsAreShortestOnTheRoadmap) {
     test::for_seeds(test::scaled(10), [](Rng& rng) {
         PointSpace space(test::wall_with_door());
-        const Row start{0.1, 0.1}, goal{0.9, 0.1};
         for (const auto search : {RoadmapSearch::dijkstra, RoadmapSearch::a_star}) {
             PrmOptions options;
             options.samples = 100;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/validation/validate.hpp"
+#include "tests/core/validation/tolerance.hpp"
 #include "tests/kit/chains/paths.hpp"
 #include "tests/kit/check_results.hpp"
 
@@ -16,7 +17,6 @@ using test::Case;
 using test::Points;
 using Checks = std::vector<Check>;
 
-constexpr double e = 1e-5;
 constexpr double bit = 1e-9;
 
 /// The corner goes right by 0.0005 ten times.

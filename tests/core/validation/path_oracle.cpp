@@ -196,7 +196,7 @@ Box moved_by_a_bit(const Box& box, bool out) {
             {std::nextafter(box.high.x, -less), std::nextafter(box.high.y, -less)}};
 }
 
-bool meets(const geometry::Segment& broom, const Box& box) {
+bool is_met(const geometry::Segment& broom, const Box& box) {
     return !geometry::is_empty(box) && exact_meets(broom, box);
 }
 
@@ -204,8 +204,8 @@ bool meets(const geometry::Segment& broom, const Box& box) {
 Verdict collision(const geometry::Segment& broom, const Box& box, double e) {
     const Box shrunk = geometry::grown(box, -e);
     const bool exact = e == 0;
-    if (!meets(broom, exact ? shrunk : moved_by_a_bit(shrunk, true))) return Verdict::holds;
-    const bool surely = meets(broom, exact ? shrunk : moved_by_a_bit(shrunk, false));
+    if (!is_met(broom, exact ? shrunk : moved_by_a_bit(shrunk, true))) return Verdict::holds;
+    const bool surely = is_met(broom, exact ? shrunk : moved_by_a_bit(shrunk, false));
     return surely ? Verdict::fails : Verdict::in_doubt;
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/validation/validate.hpp"
+#include "tests/core/validation/tolerance.hpp"
 #include "tests/kit/chains/paths.hpp"
 #include "tests/kit/check_results.hpp"
 
@@ -18,7 +19,6 @@ using test::chain_with_turns;
 using test::Points;
 using Checks = std::vector<Check>;
 
-constexpr double e = 1e-5;
 constexpr double bit = 1e-9;  // far below e and far above rounding
 
 std::vector<CheckResult> check(const Points& chain, const std::vector<Box>& obstacles = {},

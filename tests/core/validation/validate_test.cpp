@@ -8,6 +8,7 @@
 #include "core/validation/collisions.hpp"
 #include "geometry/predicates/distance.hpp"
 #include "geometry/predicates/segment_box.hpp"
+#include "tests/core/validation/tolerance.hpp"
 #include "tests/kit/chains/paths.hpp"
 #include "tests/kit/chains/random_chains.hpp"
 #include "tests/kit/chains/reference_tester.hpp"
@@ -22,8 +23,6 @@ namespace {
 
 using test::Points;
 using test::Random;
-
-constexpr double e = 1e-5;
 
 std::vector<Check> failures(const Problem& problem, const Points& chain, double tolerance = e) {
     return test::failed(validate_state(problem, chain, {.tolerance = tolerance}).checks);

@@ -8,15 +8,16 @@
 #include "core/model/problem.hpp"
 #include "core/search/rrt_connect.hpp"
 #include "tests/kit/seeds.hpp"
-#include "tests/kit/toy_spaces.hpp"
+#include "tests/kit/toy_planners.hpp"
 
 namespace asv::core {
 namespace {
 
+using test::goal;
 using test::PointSpace;
 using test::Row;
+using test::start;
 
-const Row start{0.1, 0.1}, goal{0.9, 0.1};
 const Query query{start, goal};
 
 SearchResult plan(const ExtensionOptions& options, std::uint64_t seed) {

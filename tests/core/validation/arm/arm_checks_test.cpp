@@ -12,7 +12,7 @@
 namespace asv::core {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// An arm of three links that turns its last two joints, in 100 steps.
 struct Sample {

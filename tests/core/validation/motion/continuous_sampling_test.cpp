@@ -7,6 +7,7 @@
 
 #include "core/validation/motion/motion_collisions.hpp"
 #include "geometry/predicates/segment_box.hpp"
+#include "tests/core/validation/tolerance.hpp"
 #include "tests/kit/chains/paths.hpp"
 #include "tests/kit/chains/random_chains.hpp"
 #include "tests/kit/chains/reference_tester.hpp"
@@ -22,8 +23,6 @@ namespace {
 using test::Points;
 using test::Random;
 using validation::Moving;
-
-constexpr double e = 1e-5;
 
 struct RandomMotion {
     Points from;

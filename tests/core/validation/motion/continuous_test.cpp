@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/validation/validate.hpp"
+#include "tests/core/validation/tolerance.hpp"
 #include "tests/kit/chains/paths.hpp"
 #include "tests/kit/check_results.hpp"
 
@@ -18,8 +19,6 @@ using test::Case;
 using test::chain_with_turns;
 using test::Points;
 using Checks = std::vector<Check>;
-
-constexpr double e = 1e-5;
 
 ValidationReport certified(const Case& path, double tolerance = e) {
     return validate(path.problem, path.solution, {.tolerance = tolerance, .continuous = true});
