@@ -12,7 +12,7 @@ namespace {
 constexpr double hopeless_ratio = 1.25;
 /// Searches that fail, and from then on each may take so many times as long.
 constexpr int failures_to_grow = 5;
-constexpr double growth = 2;
+constexpr double patience_growth = 2;
 /// Microseconds that a search takes at least, whatever it counts: one that goes straight to the
 /// goal counts next to nothing, and could be tried for ever.
 constexpr double min_search_work = 50;
@@ -70,7 +70,7 @@ Configurations improve(Configurations path, PathShortener& shortener, const Impr
         failures = other.path.empty() ? failures + 1 : 0;
         if (failures == failures_to_grow) {
             failures = 0;
-            patience *= growth;
+            patience *= patience_growth;
         }
         if (other.path.empty()) continue;
         const Configurations earlier = improvement.best_path();

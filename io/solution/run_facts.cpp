@@ -4,9 +4,13 @@
 #include "io/text/json/document.hpp"
 
 namespace asv::io {
+namespace {
+
+using Pointer = JsonDocument::Pointer;
+
+}  // namespace
 
 RunFacts parse_run_facts(std::string_view text, const std::string& name) {
-    using Pointer = JsonDocument::Pointer;
     const JsonDocument document(text, name);
     RunFacts facts;
     if (document.has(Pointer("/planner"))) facts.planner = document.text(Pointer("/planner"));

@@ -25,7 +25,7 @@ constexpr double pull_reach = 1;
 constexpr double repair_reach = 0.2;
 constexpr double farthest = 0.3;
 /// ASVs that hardly move pull with a bounded force; as a share of the spacing.
-constexpr double softening = 0.02;
+constexpr double band_softening = 0.02;
 /// Damping to begin with, in units of the stiffness of a tie over the spacing; what it falls to
 /// with every success and rises to with every failure; its least.
 constexpr double first_damping = 1;
@@ -112,7 +112,7 @@ bool ElasticBand::repair(const std::function<bool()>& stop) {
 /// One step of all way points; false when the system could not be solved.
 bool ElasticBand::step(double damping, double barrier) {
     step_.resize((proposed_.count() - 2) * dimension_);
-    ties_.tie(proposed_.poses, softening * spacing_, damping, system_, step_);
+    ties_.tie(proposed_.poses, band_softening * spacing_, damping, system_, step_);
     contacts_.press(proposed_, barrier, system_, step_);
     if (!system_.solve(step_)) return false;
     contacts_.follow(step_);
