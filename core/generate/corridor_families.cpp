@@ -52,7 +52,7 @@ double PassageHeight::value(std::size_t asv_count, const Requirements& requireme
         return *absolute;
     }
     require_range("height-factor", factor, 0.05, 50.0);
-    const double height = factor * min_flat_height(asv_count, requirements);
+    const double height = factor * min_flat_height(measured_asvs(asv_count), requirements);
     require_derived(asv_count, "a corridor", "high", height, 0.001, 0.5);
     return height;
 }
@@ -62,7 +62,7 @@ Problem corridor(const CorridorOptions& options, Rng& rng) {
     Problem problem;
     const double half_height =
         options.height.value(options.chain.asv_count, problem.requirements) / 2;
-    const std::size_t n = options.chain.asv_count;
+    const std::size_t n = measured_asvs(options.chain.asv_count);
     const double chain_length = problem.requirements.broom_length * static_cast<double>(n - 1);
     const double hooked =
         std::clamp(1 - 2.15 * round_diameter(n, problem.requirements), 0.1, 1.0 / 3.0);
@@ -118,7 +118,7 @@ Problem bend(const BendOptions& options, Rng& rng) {
 Problem gauntlet(const GauntletOptions& options, Rng& rng) {
     check(options.chain);
     Problem problem;
-    const std::size_t n = options.chain.asv_count;
+    const std::size_t n = measured_asvs(options.chain.asv_count);
     const double height = options.height.value(n, problem.requirements);
     require_range("walls", options.walls, 1u, 6u);
     require_range("thickness", options.thickness, 0.005, 0.5);

@@ -106,7 +106,7 @@ double WayWidth::value(std::size_t asv_count, const Requirements& requirements) 
         return *absolute;
     }
     require_range("way-factor", factor, 0.1, 20.0);
-    const double width = factor * round_diameter(asv_count, requirements);
+    const double width = factor * round_diameter(measured_asvs(asv_count), requirements);
     require_derived(asv_count, "a way", "wide", width, 0.005, 0.9);
     return width;
 }

@@ -84,8 +84,8 @@ Problem crossing(const CrossingOptions& options, Rng& rng) {
     Branch goal = options.goal_arm;
     while (goal == Branch::random || (options.goal_arm == Branch::random && goal == start))
         goal = arms[rng.below(4)];
-    const double needed =
-        std::min(1.0, 1.15 * round_diameter(options.chain.asv_count, problem.requirements));
+    const double needed = std::min(
+        1.0, 1.15 * round_diameter(measured_asvs(options.chain.asv_count), problem.requirements));
     draw_ends(problem, options.chain,
               {arm_region(start, flat, upright, needed), arm_region(goal, flat, upright, needed)},
               rng);
@@ -98,7 +98,8 @@ Problem clutter(const ClutterOptions& options, Rng& rng) {
     require_range("obstacles", options.obstacles, 0u, 1'000'000u);
     require_range("density", options.density, 0.0001, 0.9);
     require_range("side-ratio", options.side_ratio, 1.0, 20.0);
-    const double diameter = round_diameter(options.chain.asv_count, problem.requirements);
+    const double diameter =
+        round_diameter(measured_asvs(options.chain.asv_count), problem.requirements);
     const auto count = static_cast<double>(std::max<std::size_t>(options.obstacles, 1));
     const double spacing = 1 / std::sqrt(count);
     // With sides uniform in [s, ratio * s] the mean area is the square of their mean.

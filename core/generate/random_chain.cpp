@@ -20,6 +20,12 @@ constexpr double two_pi = 2 * std::numbers::pi;
 // A shape is cheap and most are refused in narrow rooms; places of one shape are more alike.
 constexpr int shapes_tried = 30'000;
 constexpr int places_tried = 30;
+// A goal whose fence would cross the start is drawn again.
+constexpr int fences_tried = 1000;
+// Between the goal and its fence, and the thickness of that: ten primitive steps, so that nothing
+// jumps over it. Lengths in workspace units.
+constexpr double fence_gap = 0.002;
+constexpr double fence_thickness = 0.01;
 
 double turn(const Point& a, const Point& b, const Point& c) {
     const Point u{b.x - a.x, b.y - a.y};
@@ -65,9 +71,10 @@ Box bounding_box(std::span<const Point> points) {
 }
 
 bool is_free(std::span<const Point> chain, std::span<const Box> obstacles, double clearance) {
-    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-        const Box near = grown(bounding_box(chain.subspan(i, 2)), clearance);
-        const geometry::Segment broom{chain[i], chain[i + 1]};
+    // A lone ASV is drawn free as well, though it would meet nothing: that looks like a problem.
+    for (std::size_t i = 0; i == 0 || i + 1 < chain.size(); ++i) {
+        const geometry::Segment broom{chain[i], chain[std::min(i + 1, chain.size() - 1)]};
+        const Box near = grown(bounding_box(std::array{broom.a, broom.b}), clearance);
         for (const Box& obstacle : obstacles) {
             if (obstacle.low.x > near.high.x || obstacle.high.x < near.low.x ||
                 obstacle.low.y > near.high.y || obstacle.high.y < near.low.y)
@@ -94,6 +101,11 @@ std::vector<Point> draw_end(const Problem& problem, const ChainOptions& options,
                             Orientation orientation, Rng& rng) {
     const double length = problem.requirements.broom_length;
     for (int i = 0; i < shapes_tried; ++i) {
+        if (options.asv_count == 1) {
+            const auto place = drawn_place({Point{0, 0}}, region, rng);
+            if (place && is_free(*place, problem.obstacles, options.clearance)) return *place;
+            continue;
+        }
         std::vector<double> turns = random_turns(options, problem.requirements, rng);
         if (orientation == Orientation::clockwise)
             for (double& value : turns) value = -value;
@@ -107,6 +119,34 @@ std::vector<Point> draw_end(const Problem& problem, const ChainOptions& options,
                  " ASVs was found where it has to stand; leave more room");
 }
 
+Orientation opposite(Orientation orientation) {
+    return orientation == Orientation::clockwise ? Orientation::counter_clockwise
+                                                 : Orientation::clockwise;
+}
+
+/// Four boxes around the chain, each as long as to overlap its neighbours at the corners.
+std::array<Box, 4> fence_around(std::span<const Point> chain) {
+    const Box inside = grown(bounding_box(chain), fence_gap);
+    const Box outside = grown(inside, fence_thickness);
+    return {{{outside.low, {outside.high.x, inside.low.y}},
+             {{outside.low.x, inside.high.y}, outside.high},
+             {outside.low, {inside.low.x, outside.high.y}},
+             {{inside.high.x, outside.low.y}, outside.high}}};
+}
+
+/// Adds a fence around the goal. False, and nothing is added, where it would meet the start or have
+/// the start inside.
+bool fence_goal(Problem& problem, double clearance) {
+    const std::array<Box, 4> fence = fence_around(problem.goal);
+    const Box around{fence[0].low, fence[1].high};
+    const Point& first = problem.start.front();
+    const bool enclosed = first.x >= around.low.x && first.x <= around.high.x &&
+                          first.y >= around.low.y && first.y <= around.high.y;
+    if (enclosed || !is_free(problem.start, fence, clearance)) return false;
+    problem.obstacles.insert(problem.obstacles.end(), fence.begin(), fence.end());
+    return true;
+}
+
 Box inner_region(const Box& region, const Box& bounds, double clearance) {
     const Box inside = grown(bounds, -clearance);
     return {{std::max(region.low.x, inside.low.x), std::max(region.low.y, inside.low.y)},
@@ -116,11 +156,20 @@ Box inner_region(const Box& region, const Box& bounds, double clearance) {
 }  // namespace
 
 void check(const ChainOptions& options) {
-    require_range("asvs", options.asv_count, 3, 200);
+    require_range("asvs", options.asv_count, 1, 200);
+    if (options.asv_count == 2)
+        throw std::invalid_argument("asvs must be 1 or 3 to 200: two enclose no area");
+    if (options.asv_count == 1 && options.obstruction != Obstruction::none)
+        throw std::invalid_argument("infeasible: there is always a path for one ASV");
     require_range("clearance", options.clearance, 0, 0.1);
     require_range("area-margin", options.area_margin, 0, 0.2);
     require_range("least-turn", options.min_turn, 0, 0.01);
     require_range("least-closing", options.min_closing_side, 0, 0.05);
+}
+
+std::size_t measured_asvs(std::size_t asv_count) {
+    constexpr std::size_t fewest = 3;
+    return std::max(fewest, asv_count);
 }
 
 std::vector<Point> chain_positions(std::span<const double> turns, double heading,
@@ -153,10 +202,18 @@ void draw_ends(Problem& problem, const ChainOptions& options, const EndRegions& 
     if (orientation == Orientation::random)
         orientation = rng.chance(0.5) ? Orientation::clockwise : Orientation::counter_clockwise;
     const Box bounds = problem.requirements.bounds;
+    const Box goal_region = inner_region(regions.goal, bounds, options.clearance);
+    const bool turned = options.obstruction == Obstruction::turned;
     problem.start = draw_end(
         problem, options, inner_region(regions.start, bounds, options.clearance), orientation, rng);
-    problem.goal = draw_end(problem, options, inner_region(regions.goal, bounds, options.clearance),
-                            orientation, rng);
+    for (int i = 0; i < fences_tried; ++i) {
+        problem.goal = draw_end(problem, options, goal_region,
+                                turned ? opposite(orientation) : orientation, rng);
+        if (options.obstruction != Obstruction::fenced || fence_goal(problem, options.clearance))
+            return;
+    }
+    throw NoRoom("no goal of " + std::to_string(options.asv_count) +
+                 " ASVs was found whose fence keeps off the start; leave more room");
 }
 
 }  // namespace asv::core

@@ -14,11 +14,23 @@ namespace asv::core {
 
 enum class Orientation { clockwise, counter_clockwise, random };
 
+/// Ways to make a problem that has no path for certain. core::check_feasibility() proves both.
+enum class Obstruction {
+    none,
+    turned,  ///< the goal turns the other way: on the way to it the area would have to be zero
+    fenced   ///< four boxes that overlap stand around the goal; the start is outside of them
+};
+
 /// What every family asks of its starts and goals; lengths in workspace units.
 struct ChainOptions {
-    std::size_t asv_count = 3;  ///< 3 to 200; the fewest that enclose an area
-    /// Of the start and of the goal alike. Drawn by default, so that problems differ.
+    /// 1, or 3 to 200: two never enclose the area that is asked for. The fewest with a shape.
+    std::size_t asv_count = 3;
+    /// Of the start and, unless it is turned, of the goal. Drawn by default, so that problems
+    /// differ.
     Orientation orientation = Orientation::random;
+    /// None: problems are there to be solved. Not for one ASV, which turns no way and which no
+    /// obstacle stops.
+    Obstruction obstruction = Obstruction::none;
     /// Least distance of start and goal to obstacles and bounds, 0 to 0.1. One primitive step, far
     /// above the tolerance of 1e-5.
     double clearance = 0.001;
@@ -46,6 +58,10 @@ void check(const ChainOptions& options);
 std::vector<double> random_turns(const ChainOptions& options, const Requirements& requirements,
                                  Rng& rng);
 
+/// Families cut their passages to the measure of the chain: a lone ASV, which needs no room, gets
+/// that of the smallest one.
+std::size_t measured_asvs(std::size_t asv_count);
+
 /// The ASVs of a chain whose first one stands at the given point.
 std::vector<Point> chain_positions(std::span<const double> turns, double heading,
                                    const Point& first, double broom_length);
@@ -56,8 +72,8 @@ struct EndRegions {
     Box goal;
 };
 
-/// Draws start and goal of the problem, of one orientation, inside their regions and free of the
-/// obstacles. Throws NoRoom after many vain draws.
+/// Draws start and goal of the problem inside their regions and free of the obstacles, of one
+/// orientation, or obstructed as the options say. Throws NoRoom after many vain draws.
 void draw_ends(Problem& problem, const ChainOptions& options, const EndRegions& regions, Rng& rng);
 
 }  // namespace asv::core

@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "io/benchmark/record/command_words.hpp"
+#include "io/benchmark/record/generated_name.hpp"
 #include "io/text/number_text.hpp"
 
 namespace asv::io {
@@ -40,11 +41,22 @@ std::string listed(const std::vector<std::string>& words) {
     return text;
 }
 
+/// What makes the problem of these words, for a shell.
+std::string generator_command(const std::vector<std::string>& words, const std::string& output) {
+    std::string text = "asv-generate";
+    for (const std::string& word : words) text.append(" ").append(quoted(word));
+    return text.append(" -o ").append(output);
+}
+
 std::string external_command(const core::BenchmarkPlan& plan, const core::RunPlace& place) {
     const bool reversed = place.direction == core::Direction::reversed;
-    const CommandValues values{reversed ? "reversed.txt" : plan.problems[place.problem].file,
-                               "solution.txt", std::to_string(place.seed), number(plan.time_limit)};
+    const std::string& file = plan.problems[place.problem].file;
+    const auto words = generator_words(file);
+    const std::string made = "problem.txt";
+    const CommandValues values{reversed ? "reversed.txt" : (words ? made : file), "solution.txt",
+                               std::to_string(place.seed), number(plan.time_limit)};
     std::string text;
+    if (words && !reversed) text = generator_command(*words, made).append(" &&");
     for (const std::string& word : plan.planners[place.planner].command)
         text.append(text.empty() ? "" : " ").append(quoted(fill_in(word, values)));
     return text;
@@ -93,8 +105,11 @@ std::string planner_text(const core::BenchmarkPlanner& planner) {
 std::string solve_command(const core::BenchmarkPlan& plan, const core::RunPlace& place) {
     const core::BenchmarkPlanner& planner = plan.planners[place.planner];
     if (planner.external()) return external_command(plan, place);
-    std::string text = "asv-solve " + quoted(plan.problems[place.problem].file) + " solution.txt" +
-                       " --planner " + std::string(core::name(planner.planner));
+    const std::string& file = plan.problems[place.problem].file;
+    const auto words = generator_words(file);
+    std::string text = words ? generator_command(*words, "-").append(" | ") : "";
+    text += "asv-solve " + (words ? "-" : quoted(file)) + " solution.txt" + " --planner " +
+            std::string(core::name(planner.planner));
     for (const auto& [key, value] : planner.settings) text += " --set " + quoted(key + "=" + value);
     text += " --seed " + std::to_string(place.seed) + " --time-limit " + number(plan.time_limit) +
             " --optimize " + number(plan.optimize) + " --threads " + std::to_string(plan.threads);

@@ -1,5 +1,7 @@
 #include "io/problem/generation_file.hpp"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "io/text/atomic_file.hpp"
@@ -25,6 +27,17 @@ void write_generation(const std::filesystem::path& file, const Generation& gener
                                {"reason", generation.reason},
                                {"version", generation.version}};
     write_file(file, json.dump(2) + '\n');
+}
+
+std::vector<std::pair<std::string, double>> number_parameters(
+    const std::vector<std::pair<std::string, std::string>>& parameters) {
+    std::vector<std::pair<std::string, double>> numbers;
+    for (const auto& [name, value] : parameters) {
+        const nlohmann::json parsed = nlohmann::json::parse(value, nullptr, false);
+        if (parsed.is_number()) numbers.emplace_back(name, parsed.get<double>());
+    }
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
 }
 
 std::vector<std::pair<std::string, double>> read_parameters(const std::filesystem::path& file) {

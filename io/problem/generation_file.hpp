@@ -27,6 +27,10 @@ struct Generation {
 /// WriteError.
 void write_generation(const std::filesystem::path& file, const Generation& generation);
 
+/// Those of the parameters that are numbers, in the order of letters.
+std::vector<std::pair<std::string, double>> number_parameters(
+    const std::vector<std::pair<std::string, std::string>>& parameters);
+
 /// The parameters of that object that are numbers, in the order of letters; of the file all other
 /// members are left alone, so that other programs may write one, too. Throws ReadError, ParseError.
 std::vector<std::pair<std::string, double>> read_parameters(const std::filesystem::path& file);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "io/benchmark/record/generated_name.hpp"
 #include "tools/bench/bench_plan.hpp"
 #include "tools/common/command_line.hpp"
 #include "tools/common/number_options.hpp"
@@ -14,12 +15,26 @@ namespace {
 
 constexpr std::uint64_t max_seeds = 1'000'000;
 constexpr std::uint64_t max_megabytes = 100'000'000;
+constexpr const char* whole_set = "*";
 
 void add_plan_options(CLI::App& app, BenchArguments& arguments) {
     core::BenchmarkPlan& plan = arguments.plan;
     app.add_option("PROBLEMS", arguments.problems,
-                   "Problem files and scenarios; - for standard input")
+                   "Problem files and scenarios; - for standard input; \"[LABEL:] generate: FAMILY "
+                   "OPTIONS...\": a problem made from the words of asv-generate")
         ->type_name(problem_file);
+    CLI::Option* set =
+        app.add_option("--set", arguments.set,
+                       "The problems of the benchmark set whose name or family the pattern fits, "
+                       "as in a shell; without one all of them (docs/benchmark-set.md)")
+            ->type_name("PATTERN")
+            ->expected(0, 1)
+            ->default_str(whole_set);
+    app.add_flag(
+           "--list", arguments.list,
+           "Print those problems: name, words of asv-generate, ASVs, whether there is a path, "
+           "least cost known, proven bound")
+        ->needs(set);
     add_reading_options(app, arguments.reading);
     app.add_option(
            "--planner", arguments.planners,
@@ -72,8 +87,9 @@ void add_record_options(CLI::App& app, BenchArguments& arguments) {
                        "may be repeated")
             ->type_name("FILE.json|.jsonl");
     // All of this is told by the files.
-    for (const char* option : {"PROBLEMS", "--seeds", "--first-seed", "--direction", "--time-limit",
-                               "--optimize", "--threads", "--memory-limit", "--resume"})
+    for (const char* option :
+         {"PROBLEMS", "--set", "--seeds", "--first-seed", "--direction", "--time-limit",
+          "--optimize", "--threads", "--memory-limit", "--resume"})
         from->excludes(app.get_option(option));
 }
 
@@ -85,9 +101,21 @@ void add_options(CLI::App& app, BenchArguments& arguments) {
     add_output_options(app, arguments.outputs);
 }
 
+std::vector<io::SetProblem> chosen_problems(const BenchArguments& arguments) {
+    std::vector<io::SetProblem> chosen = io::chosen_of_set(arguments.set);
+    if (chosen.empty())
+        throw UsageError("--set " + arguments.set +
+                         ": no problem or family of the set is called that; there are those of "
+                         "--set --list");
+    return chosen;
+}
+
 void complete(BenchArguments& arguments) {
+    if (!arguments.set.empty())
+        for (const io::SetProblem& problem : chosen_problems(arguments))
+            arguments.problems.push_back(problem.name + ": " + io::generated_name(problem.words));
     if (arguments.problems.empty() && arguments.from.empty())
-        throw UsageError("PROBLEMS is required, or --from\nRun with --help for help.");
+        throw UsageError("PROBLEMS is required, or --set or --from\nRun with --help for help.");
     core::BenchmarkPlan& plan = arguments.plan;
     if (arguments.planners.empty() && arguments.from.empty()) arguments.planners = {"auto"};
     plan.planners = parse_planners(arguments.planners);

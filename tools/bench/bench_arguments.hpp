@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/benchmark/plan.hpp"
+#include "io/benchmark/set/benchmark_set.hpp"
 #include "io/problem/reading.hpp"
 #include "tools/bench/bench_outputs.hpp"
 
@@ -11,7 +12,9 @@ namespace asv::tools {
 
 /// What the command line says.
 struct BenchArguments {
-    std::vector<std::string> problems;
+    std::vector<std::string> problems;  ///< see problem_arguments.hpp
+    std::string set;                    ///< which problems of the benchmark set; empty for none
+    bool list = false;                  ///< print them, and do nothing else
     std::vector<std::string> planners;  ///< as they were given
     std::string direction = "forward";
     std::vector<std::string> from;  ///< files with earlier runs, instead of problems
@@ -22,6 +25,9 @@ struct BenchArguments {
 };
 
 void add_options(CLI::App& app, BenchArguments& arguments);
+
+/// The problems of the set that --set chooses. Throws UsageError where there is none.
+std::vector<io::SetProblem> chosen_problems(const BenchArguments& arguments);
 
 /// Fills in what the options do not set by themselves. Throws UsageError.
 void complete(BenchArguments& arguments);

@@ -1,34 +1,22 @@
 #include "tools/bench/bench_plan.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <set>
 #include <sstream>
 
 #include "core/solve/idle_settings.hpp"
 #include "io/benchmark/ompl_log.hpp"
 #include "io/benchmark/record/command_words.hpp"
-#include "io/benchmark/record/problem_digest.hpp"
-#include "io/problem/problem_file.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/escape.hpp"
-#include "io/text/parse_error.hpp"
+#include "tools/bench/labelled_text.hpp"
 #include "tools/bench/ompl_planner.hpp"
 #include "tools/bench/runs/supervised_process.hpp"
 
 namespace asv::tools {
 
 namespace {
-
-/// The words with one blank between them.
-std::string tidied(const std::string& text) {
-    std::istringstream words(text);
-    std::string result;
-    for (std::string word; words >> word;) result += (result.empty() ? "" : " ") + word;
-    return result;
-}
 
 /// Sets one KEY=VALUE of the planner and remembers it.
 void set_one(core::BenchmarkPlanner& planner, const std::string& setting) {
@@ -41,19 +29,6 @@ void set_one(core::BenchmarkPlanner& planner, const std::string& setting) {
 }
 
 constexpr std::string_view exec_word = "exec ";
-
-/// Where the word stands in "[LABEL:] WORD..."; npos where it stands nowhere like that.
-std::size_t begin_of(std::string_view word, const std::string& text) {
-    std::size_t begin = 0;
-    while (true) {
-        begin = text.find_first_not_of(' ', begin);
-        if (begin == std::string::npos) return begin;
-        if (text.compare(begin, word.size(), word) == 0) return begin;
-        const std::size_t colon = text.find(':', begin);
-        if (colon == std::string::npos) return colon;
-        begin = colon + 1;
-    }
-}
 
 /// Throws std::invalid_argument unless the command can be run and come to something.
 void require_runnable(const std::vector<std::string>& command) {
@@ -85,22 +60,11 @@ core::BenchmarkPlanner parse_external(const std::string& text, std::size_t exec)
     return planner;
 }
 
-/// True when the problem can be run; tells why where it cannot.
-bool accept(const std::string& file, const io::ProblemFile& read) {
-    const auto invalid = core::invalid_ends(read.problem);
-    for (const core::InvalidEnd& end : invalid)
-        std::cerr << io::escaped(io::input_name(file)) << ':'
-                  << (end.goal ? read.goal_line : read.start_line) << ": "
-                  << (end.goal ? "goal" : "start") << " is not valid: " << end.reason << '\n';
-    return invalid.empty();
-}
-
 }  // namespace
 
 core::BenchmarkPlanner parse_planner(const std::string& given) {
     const std::string text = tidied(given);
-    if (std::any_of(text.begin(), text.end(),
-                    [](char c) { return static_cast<unsigned char>(c) < ' '; }))
+    if (has_control_character(text))
         throw UsageError("--planner: there is a control character in it");
     if (const std::size_t exec = begin_of(exec_word, given); exec != std::string::npos)
         return parse_external(given, exec);
@@ -138,44 +102,6 @@ std::vector<core::BenchmarkPlanner> parse_planners(const std::vector<std::string
             throw UsageError("two planners are called '" + planner.label +
                              "'; give one a label: \"LABEL: NAME KEY=VALUE\"");
     return planners;
-}
-
-std::vector<std::string> problem_names(const std::vector<std::string>& files) {
-    std::map<std::string, std::size_t> uses;
-    const auto stem = [](const std::string& file) {
-        return std::filesystem::path(file).stem().string();
-    };
-    for (const std::string& file : files) ++uses[stem(file)];
-    std::vector<std::string> names;
-    for (const std::string& file : files)
-        names.push_back(uses[stem(file)] == 1 ? stem(file) : file);
-    return names;
-}
-
-bool read_problems(const CommandLine& command_line, const std::vector<std::string>& files,
-                   const io::ReadOptions& reading, FileRoles& roles,
-                   std::vector<core::BenchmarkProblem>& problems) {
-    if (std::set<std::string>(files.begin(), files.end()).size() != files.size())
-        throw UsageError("a problem is given twice");
-    const std::vector<std::string> names = problem_names(files);
-    bool all_good = true;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        try {
-            io::ProblemFile read = io::read_problem(files[i], reading);
-            command_line.print(read.warnings);
-            roles.add_maps(read);
-            all_good = accept(files[i], read) && all_good;
-            const std::string digest = io::problem_digest(read.problem);
-            problems.push_back({names[i], files[i], std::move(read.problem), digest});
-        } catch (const io::ParseError& error) {
-            std::cerr << error.what() << '\n';
-            all_good = false;
-        } catch (const io::ReadError& error) {
-            std::cerr << "asv-bench: " << error.what() << '\n';
-            all_good = false;
-        }
-    }
-    return all_good;
 }
 
 std::vector<std::filesystem::path> log_files(const core::BenchmarkPlan& plan,

@@ -6,7 +6,6 @@
 
 #include "core/benchmark/plan.hpp"
 #include "tools/common/command_line.hpp"
-#include "tools/common/file_roles.hpp"
 
 namespace asv::tools {
 
@@ -20,17 +19,6 @@ core::BenchmarkPlanner parse_planner(const std::string& given);
 /// All of them; "all" stands for every planner there is. Throws UsageError, also when two would
 /// have one label.
 std::vector<core::BenchmarkPlanner> parse_planners(const std::vector<std::string>& texts);
-
-/// What to call the problems of these files: the name without folder and ending where no other has
-/// it, else the whole path.
-std::vector<std::string> problem_names(const std::vector<std::string>& files);
-
-/// Reads the files and checks that start and goal of each are valid. Tells on standard error
-/// everything that is wrong with any of them. Returns false when there was something, and the plan
-/// cannot be run. Warnings are told as those of asv-solve. Maps are added to the roles.
-bool read_problems(const CommandLine& command_line, const std::vector<std::string>& files,
-                   const io::ReadOptions& reading, FileRoles& roles,
-                   std::vector<core::BenchmarkProblem>& problems);
 
 /// The text logs that --ompl-log gives, one for each problem and direction of the plan; none where
 /// the name is empty.

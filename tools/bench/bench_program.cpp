@@ -9,6 +9,7 @@
 #include "tools/bench/bench_outputs.hpp"
 #include "tools/bench/bench_plan.hpp"
 #include "tools/bench/bench_task.hpp"
+#include "tools/bench/problem_arguments.hpp"
 #include "tools/bench/runs/sweep.hpp"
 #include "tools/common/command_line.hpp"
 
@@ -41,9 +42,13 @@ ExitCode run_and_write(const CommandLine& command_line, const BenchArguments& ar
 }
 
 ExitCode bench(const CommandLine& command_line, BenchArguments& arguments, const RunSite& site) {
+    if (arguments.list) {
+        std::cout << io::format_set(chosen_problems(arguments));
+        return ExitCode::done;
+    }
     complete(arguments);
     FileRoles roles;
-    for (const std::string& file : arguments.problems) roles.add_input("PROBLEM", file);
+    add_problem_roles(arguments.problems, roles);
     for (const std::string& file : arguments.from) roles.add_input("--from", file);
     roles.add_output("--resume", arguments.resume);
     add_roles(arguments.outputs, roles);

@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "core/benchmark/parameter_curves.hpp"
+#include "io/benchmark/record/generated_name.hpp"
 #include "io/problem/generation_file.hpp"
-#include "tools/bench/bench_plan.hpp"
+#include "tools/bench/problem_arguments.hpp"
 #include "tools/bench/records/earlier_runs.hpp"
 
 namespace asv::tools {
@@ -35,10 +36,11 @@ bool read_earlier(const CommandLine& command_line, const BenchArguments& argumen
     return true;
 }
 
-/// Reads what the problems were generated with. Throws ReadError, ParseError.
+/// Reads what the problems of files were generated with; the others know it. Throws ReadError,
+/// ParseError.
 void read_generation(std::vector<core::BenchmarkProblem>& problems, const std::string& name) {
     for (core::BenchmarkProblem& problem : problems)
-        if (!core::parameter_of(problem, name))
+        if (!core::parameter_of(problem, name) && !io::generator_words(problem.file))
             problem.parameters = io::read_parameters(problem.file + ".json");
 }
 

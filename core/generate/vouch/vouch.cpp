@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/bounds/feasibility.hpp"
 #include "core/generate/vouch/gate_passage.hpp"
 #include "core/generate/vouch/proven_motions.hpp"
 #include "geometry/predicates/polygon.hpp"
@@ -100,6 +101,9 @@ Verdict verdict_on(ProvenMotions& motions) {
 }  // namespace
 
 Verdict vouch(const Problem& problem) {
+    if (problem.asv_count() < 3) return unknown("a lone ASV does not bend to a regular polygon");
+    if (Feasibility found = check_orientation(problem); found.cause != Infeasibility::none)
+        return unknown(std::move(found.reason));
     Problem counter_clockwise = problem;
     const bool reversed = geometry::signed_area(problem.start) < 0;
     if (reversed) {

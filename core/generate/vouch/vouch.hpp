@@ -22,10 +22,10 @@ struct Verdict {
 /// Tries to build a path from simple motions: the chain is bent to a regular polygon, which moves
 /// inside a disc through free space, and it threads straight horizontal corridors between two boxes
 /// along the outline of a rectangle. Every motion is proven by MotionChecker, so "solvable" is
-/// certain; everything that needs more skill is "unknown".
+/// certain; everything that needs more skill is "unknown", and so is one ASV.
 ///
-/// Precondition: start and goal are valid and of one orientation, at least 3 ASVs. Corridors are
-/// looked for only where there are at most 64 obstacles.
+/// Precondition: start and goal are valid. Corridors are looked for only where there are at most 64
+/// obstacles.
 Verdict vouch(const Problem& problem);
 
 }  // namespace asv::core

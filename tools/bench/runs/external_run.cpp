@@ -18,6 +18,7 @@
 
 #include "core/bounds/lower_bound.hpp"
 #include "io/benchmark/record/command_words.hpp"
+#include "io/benchmark/record/generated_name.hpp"
 #include "io/benchmark/record/problem_digest.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/problem/scenario_text.hpp"
@@ -77,7 +78,8 @@ std::string text_of(const core::Problem& problem) {
 /// The file itself, or one in the folder where that holds something else.
 std::string problem_file_for(const core::BenchmarkProblem& given, const core::Problem& problem,
                              bool reversed, const PrivateFolder& folder) {
-    if (!reversed && given.file != io::standard_stream) return given.file;
+    const bool is_file = given.file != io::standard_stream && !io::generator_words(given.file);
+    if (!reversed && is_file) return given.file;
     const fs::path file = folder / "problem.txt";
     io::write_file(file, text_of(problem));
     return file.string();

@@ -16,7 +16,7 @@ def generate(family: str, asv_count: int, seed: int = 1, *, attempts: int = 1,
              **options: Any) -> _core.Problem:
     """A random problem in the unit square. The same arguments give the same problem.
 
-    family: a key of families(), whose options may be given as well. asv_count: 3 to 200.
+    family: a key of families(), whose options may be given as well. asv_count: 1, or 3 to 200.
     attempts: above 1: draws up to so many until vouch() says of one that it is solvable, else
     keeps the last. Lengths are in workspace units, of which a broom is 0.05 long.
 

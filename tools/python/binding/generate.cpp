@@ -97,11 +97,16 @@ void take(Keywords& words, core::ClutterOptions& o) {
 }
 
 void take(Keywords& words, core::ChainOptions& o) {
+    using core::Obstruction;
     using core::Orientation;
     words.take_word<Orientation>("orientation", o.orientation,
                                  {{"random", Orientation::random},
                                   {"cw", Orientation::clockwise},
                                   {"ccw", Orientation::counter_clockwise}});
+    words.take_word<Obstruction>("infeasible", o.obstruction,
+                                 {{"no", Obstruction::none},
+                                  {"turned", Obstruction::turned},
+                                  {"fenced", Obstruction::fenced}});
     words.take("clearance", o.clearance);
     words.take("area_margin", o.area_margin);
     words.take("least_turn", o.min_turn);

@@ -1,4 +1,4 @@
-#include "tools/generate/solvability.hpp"
+#include "tools/families/solvability.hpp"
 
 #include <limits>
 #include <string>

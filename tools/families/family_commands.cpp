@@ -1,10 +1,10 @@
-#include "tools/generate/family_commands.hpp"
+#include "tools/families/family_commands.hpp"
 
 #include <memory>
 #include <string>
 #include <utility>
 
-#include "tools/generate/option_kinds.hpp"
+#include "tools/families/option_kinds.hpp"
 
 namespace asv::tools {
 

@@ -1,4 +1,4 @@
-#include "tools/generate/likeness.hpp"
+#include "tools/families/likeness.hpp"
 
 #include <algorithm>
 #include <numeric>
