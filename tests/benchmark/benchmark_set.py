@@ -54,9 +54,9 @@ FEASIBLE = {
         ("--rooms 3 --doors 3 --shelves 6 --height-factor 2", [3, 5, 7, 9, 11]),
     ],
     "maze": [
-        ("", [1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18]),
+        ("", [3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18]),
         ("--way-factor 1.3", [3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14]),
-        ("--way-factor 1.6", [3, 5, 7, 9, 11, 13]),
+        ("--way-factor 1.6", [1, 3, 5, 7, 9, 11, 13]),
     ],
     "spiral": [
         ("", [1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14]),
@@ -89,7 +89,7 @@ INFEASIBLE = {
 }
 
 # Problems whose first seed gives no room, or one that the default planner does not solve soon.
-OTHER_SEEDS = {}
+OTHER_SEEDS = {"bend-05e": 2, "clutter-29a": 2, "gauntlet-20a": 2}
 
 
 def problems():

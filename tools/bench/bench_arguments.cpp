@@ -17,8 +17,7 @@ constexpr std::uint64_t max_seeds = 1'000'000;
 constexpr std::uint64_t max_megabytes = 100'000'000;
 constexpr const char* whole_set = "*";
 
-void add_plan_options(CLI::App& app, BenchArguments& arguments) {
-    core::BenchmarkPlan& plan = arguments.plan;
+void add_problem_options(CLI::App& app, BenchArguments& arguments) {
     app.add_option("PROBLEMS", arguments.problems,
                    "Problem files and scenarios; - for standard input; \"[LABEL:] generate: FAMILY "
                    "OPTIONS...\": a problem made from the words of asv-generate")
@@ -36,6 +35,10 @@ void add_plan_options(CLI::App& app, BenchArguments& arguments) {
            "least cost known, proven bound")
         ->needs(set);
     add_reading_options(app, arguments.reading);
+}
+
+void add_plan_options(CLI::App& app, BenchArguments& arguments) {
+    core::BenchmarkPlan& plan = arguments.plan;
     app.add_option(
            "--planner", arguments.planners,
            "\"[LABEL:] NAME [KEY=VALUE]...\": a planner with settings, see asv-solve "
@@ -96,22 +99,23 @@ void add_record_options(CLI::App& app, BenchArguments& arguments) {
 }  // namespace
 
 void add_options(CLI::App& app, BenchArguments& arguments) {
+    add_problem_options(app, arguments);
     add_plan_options(app, arguments);
     add_record_options(app, arguments);
     add_output_options(app, arguments.outputs);
 }
 
 std::vector<io::SetProblem> chosen_problems(const BenchArguments& arguments) {
-    std::vector<io::SetProblem> chosen = io::chosen_of_set(arguments.set);
+    std::vector<io::SetProblem> chosen = io::chosen_of_set(*arguments.set);
     if (chosen.empty())
-        throw UsageError("--set " + arguments.set +
+        throw UsageError("--set " + *arguments.set +
                          ": no problem or family of the set is called that; there are those of "
                          "--set --list");
     return chosen;
 }
 
 void complete(BenchArguments& arguments) {
-    if (!arguments.set.empty())
+    if (arguments.set)
         for (const io::SetProblem& problem : chosen_problems(arguments))
             arguments.problems.push_back(problem.name + ": " + io::generated_name(problem.words));
     if (arguments.problems.empty() && arguments.from.empty())

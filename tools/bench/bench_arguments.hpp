@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace asv::tools {
 /// What the command line says.
 struct BenchArguments {
     std::vector<std::string> problems;  ///< see problem_arguments.hpp
-    std::string set;                    ///< which problems of the benchmark set; empty for none
+    std::optional<std::string> set;     ///< pattern of problems of the benchmark set
     bool list = false;                  ///< print them, and do nothing else
     std::vector<std::string> planners;  ///< as they were given
     std::string direction = "forward";
@@ -26,7 +27,8 @@ struct BenchArguments {
 
 void add_options(CLI::App& app, BenchArguments& arguments);
 
-/// The problems of the set that --set chooses. Throws UsageError where there is none.
+/// The problems of the set that --set chooses. Throws UsageError where there is none. Precondition:
+/// --set is given.
 std::vector<io::SetProblem> chosen_problems(const BenchArguments& arguments);
 
 /// Fills in what the options do not set by themselves. Throws UsageError.

@@ -73,6 +73,10 @@ Words bench() {
           "Runs a planner with a setting under a name of its own."},
          {"asv-bench testcases/3ASV.txt --planner \"mine: exec ./my-planner {problem} {solution}\"",
           "Runs another program, and checks what it writes."},
+         {"asv-bench \"generate: corridor -n 7 --seed 3\" --planner all",
+          "Runs all planners on a problem made from words of asv-generate."},
+         {"asv-bench --set \"maze-0*\" --seeds 1 --time-limit 2",
+          "Runs the mazes for up to nine ASVs of the benchmark set."},
          {"asv-bench testcases/*.txt --planner all --csv runs.csv --plot runs.svg",
           "Runs all planners on many problems."},
          {"asv-bench testcases/*.txt --resume sweep.jsonl --csv runs.csv",
@@ -103,6 +107,8 @@ Words generate() {
             {{"asv-generate -n 5 --seed 3 -o maze.txt maze", "Draws a maze for five ASVs."},
              {"asv-generate corridor -n 7 --height-factor 1.1 -o corridor.txt",
               "Draws a corridor that is hardly higher than the chain must be."},
+             {"asv-generate rooms -n 5 --infeasible fenced -o fenced.txt",
+              "Draws rooms with a fence around the goal, so that there is no path."},
              {"asv-generate maze --help", "Lists the options of a family."}}};
 }
 
