@@ -45,7 +45,7 @@ FEASIBLE = {
         ("--walls 2", [3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16]),
         ("--walls 3", [3, 4, 5, 6, 7, 8, 10]),
         ("--walls 4 --thickness 0.05", [3, 4, 5, 6]),
-        ("--walls 1 --height 0.02", [12, 14, 16, 18, 20]),
+        ("--walls 1 --height 0.02", [12, 14, 16, 17, 18]),
     ],
     "rooms": [
         ("", [1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15]),
@@ -74,7 +74,7 @@ FEASIBLE = {
         ("", [3, 6, 9, 12, 17, 21, 25]),
         ("--obstacles 100", [3, 5, 7, 8, 10, 12]),
         ("--obstacles 1000", [3, 4]),
-        ("--obstacles 40 --density 0.08 --lane 0", [4, 6, 9, 13, 16, 20, 29]),
+        ("--obstacles 40 --density 0.08 --lane 0", [4, 6, 9, 13, 16, 18, 20]),
     ],
 }
 
@@ -85,11 +85,11 @@ INFEASIBLE = {
                                        ("maze", 4), ("crossing", 30), ("clutter", 16)]),
     "fenced": ("--infeasible fenced", [("bend", 6), ("gauntlet", 4), ("rooms", 5), ("maze", 8),
                                        ("spiral", 3), ("crossing", 12), ("clutter", 10)]),
-    "low": ("--height-factor 0.5", [("corridor", n) for n in (3, 4, 5, 6, 8, 10)]),
+    "low": ("--height-factor 0.4", [("corridor", n) for n in (3, 4, 5, 6, 8, 10)]),
 }
 
 # Problems whose first seed gives no room, or one that the default planner does not solve soon.
-OTHER_SEEDS = {"bend-05e": 2, "clutter-29a": 2, "gauntlet-20a": 2}
+OTHER_SEEDS = {"bend-05e": 2}
 
 
 def problems():

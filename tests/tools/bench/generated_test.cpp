@@ -21,7 +21,7 @@ using nlohmann::json;
 
 const std::string corridor = "generate: corridor -n 4 --seed 3";
 
-json json_of(const std::filesystem::path& file) {
+json content_of(const std::filesystem::path& file) {
     return json::parse(io::read_file(file));
 }
 
@@ -41,7 +41,7 @@ TEST(GeneratedProblem, IsTheOneOfTheFileAndItsCommandMakesIt) {
                     {"--json", in("b.json"), "--direction", "both"})
                   .exit_code,
               0);
-    const json report = json_of(in("b.json"));
+    const json report = content_of(in("b.json"));
     EXPECT_EQ(report["problems"][0]["name"], "a corridor");
     EXPECT_EQ(report["problems"][0]["file"], corridor);
     EXPECT_EQ(report["problems"][0]["digest"], report["problems"][1]["digest"]);
@@ -55,7 +55,7 @@ TEST(GeneratedProblem, IsTheOneOfTheFileAndItsCommandMakesIt) {
     const std::string command = made["command"];
     const std::string in_folder = "cd '" + in(".") + "' && PATH=" + ASV_PROGRAM_DIR + ":$PATH && ";
     ASSERT_EQ(run_program("/bin/sh", {"-c", in_folder + command + " --stats s.json"}).exit_code, 0);
-    EXPECT_EQ(json_of(in("s.json"))["cost"], made["cost"]);
+    EXPECT_EQ(content_of(in("s.json"))["cost"], made["cost"]);
 }
 
 TEST(GeneratedProblem, IsCalledByItsWordsWhereItHasNoLabel) {
@@ -73,7 +73,6 @@ TEST(GeneratedProblem, WrongWordsEndBeforeAnythingRuns) {
         {{"x: generate: corridor -n 2"}, "generate: corridor -n 2: asvs must be 1 or 3 to 200"},
         {{"generate: corridor -n 4 -o x.txt"}, "corridor takes no -o"},
         {{"generate: corridor -n 4 --seed -1"}, "--seed: '-1' is not a whole decimal number"},
-        {{"generate: corridor -n 70"}, "leave more room"},
         {{"generate: corridor -n 4 \x1b[31m"}, "control character"},
         {{corridor, "again: " + corridor}, "a problem is given twice: " + corridor},
         {{"x: " + corridor, "x: generate: maze -n 3"}, "two problems are called 'x'"}};
@@ -93,7 +92,7 @@ TEST(GeneratedProblem, GoesToOtherProgramsAsAFile) {
             bench({corridor}, {"--direction", direction, "--planner", copying(copy), "--json",
                                (folder / "b.json").string()});
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-        const json report = json_of(folder / "b.json");
+        const json report = content_of(folder / "b.json");
         EXPECT_EQ(report["runs"][0]["status"], "infeasible");
         const core::Problem given = io::read_problem(copy).problem;
         EXPECT_EQ(io::problem_digest(given) == report["problems"][0]["digest"],
@@ -123,7 +122,7 @@ TEST(GeneratedProblem, IsKnownAgainInJournalsAndEarlierRuns) {
         "asv-bench",
         {"--from", in("j.jsonl"), "--planner", "rrt-connect", "--quiet", "--json", in("c.json")});
     ASSERT_EQ(more.exit_code, 0) << more.err;
-    const json report = json_of(in("c.json"));
+    const json report = content_of(in("c.json"));
     EXPECT_EQ(report["problems"][0]["name"], "c");
     ASSERT_EQ(report["runs"].size(), 4U);
     EXPECT_EQ(report["runs"][2]["planner"], "rrt-connect");
@@ -140,7 +139,7 @@ TEST(GeneratedProblem, HasItsParametersWithin) {
                   .exit_code,
               0);
     EXPECT_TRUE(contains(io::read_file(in("h.svg")), "Over height-factor"));
-    EXPECT_EQ(json_of(in("b.json"))["problems"][1]["parameters"]["height-factor"], 3);
+    EXPECT_EQ(content_of(in("b.json"))["problems"][1]["parameters"]["height-factor"], 3);
     EXPECT_EQ(bench(problems, {"--parameter", "n"}).exit_code, 0);
     const Outcome none = bench(problems, {"--parameter", "walls"});
     EXPECT_EQ(none.exit_code, 2);

@@ -147,7 +147,7 @@ TEST(SetOfProblems, WrongUsageIsTold) {
         {{"--set", "labyrinth"}, "--set labyrinth: no problem or family of the set is called that"},
         {{"--set", ""}, "no problem or family"},
         {{"--list"}, "--list requires --set"},
-        {{"--set", "maze", "--from", "a.json"}, "--from excludes --set"}};
+        {{"--set", "maze", "--from", "a.json"}, "--set excludes --from"}};
     for (const auto& [arguments, message] : cases) {
         const Outcome outcome = run_program("asv-bench", arguments);
         EXPECT_EQ(outcome.exit_code, 2);

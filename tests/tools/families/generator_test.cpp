@@ -28,8 +28,9 @@ Words words_of(const std::string& text) {
 }
 
 test::Outcome asv_generate(const std::string& words, const std::filesystem::path& file) {
-    Words arguments = words_of(words);
-    arguments.insert(arguments.end(), {"--quiet", "-o", file.string()});
+    // In front, so that a last word that lacks its value takes none of these for it.
+    Words arguments{"--quiet", "-o", file.string()};
+    for (const std::string& word : words_of(words)) arguments.push_back(word);
     return test::run_program("asv-generate", arguments);
 }
 
@@ -67,8 +68,8 @@ TEST(Generated, WhatIsWrongIsToldInTheWordsOfTheProgram) {
          {"", "maz -n 5", "corridor", "corridor -n 2", "corridor -n 201", "corridor -n seven",
           "corridor -n 7 extra", "corridor -n 7 --walls 2", "corridor -n 7 --height nan",
           "corridor -n 7 --height 0.1 --height-factor 2", "corridor -n 7 --orientation up",
-          "corridor -n 70", "maze -n 7 --cells 40", "corridor -n",
-          "clutter -n 1 --infeasible turned", "corridor -n 5 bend"}) {
+          "maze -n 7 --cells 40", "corridor -n", "clutter -n 1 --infeasible turned",
+          "corridor -n 5 bend"}) {
         SCOPED_TRACE(words);
         const test::Outcome written = asv_generate(words, folder / "p.txt");
         EXPECT_EQ(written.exit_code, 2);
