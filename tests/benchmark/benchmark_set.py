@@ -172,8 +172,8 @@ def table():
 
 
 def results(report):
-    """Solved runs of those on problems that have a path; then the median time to the first path of
-    all these runs."""
+    """Of the runs on problems that have a path those that are solved, forward + reversed; then the
+    median time to the first path of all these runs."""
     feasible = {"generate: " + row["words"] for row in read_set() if row["feasible"] == "feasible"}
     problems_ = {p["name"]: p for p in report["problems"] if p["file"] in feasible}
     directions = report["session"]["directions"]
@@ -185,6 +185,8 @@ def results(report):
     print("| problems | runs each | " + " | ".join(labels) + " |\n|---|---:|" + "---:|" * len(labels))
     for name, belongs in groups:
         mine = {n for n, p in problems_.items() if belongs(p)}
+        if not mine:
+            continue
         cells = []
         for label in labels:
             shares = []
@@ -193,7 +195,8 @@ def results(report):
                         and run["planner"] == label and run["direction"] == direction]
                 shares.append(str(sum(run["status"] == "solved" for run in runs)))
             cells.append(" + ".join(shares))
-        print(f"| {name} | {' + '.join([str(len(mine))] * len(directions))} | " + " | ".join(cells) + " |")
+        each = str(len(mine) * report["session"]["seeds"])
+        print(f"| {name} | {' + '.join([each] * len(directions))} | " + " | ".join(cells) + " |")
     medians = []
     limit = report["session"]["time_limit_s"]
     for label in labels:

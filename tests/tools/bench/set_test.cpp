@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -140,6 +142,44 @@ TEST(SetOfProblems, RunsBesideFilesUnderItsOwnNames) {
     ASSERT_EQ(problems.size(), 2U);
     EXPECT_EQ(problems[1]["name"], "clutter-03a");
     EXPECT_EQ(problems[1]["file"], "generate: " + io::chosen_of_set("clutter-03a")[0].words);
+}
+
+/// tests/benchmark/benchmark_set.py, in a folder of its own.
+TEST(SetOfProblems, AScriptMakesTheFileAnewAndTakesBetterCosts) {
+    namespace fs = std::filesystem;
+    const TemporaryFolder folder;
+    const fs::path file = folder / "testcases/set/problems.csv";
+    const std::string script = (folder / "tests/benchmark/benchmark_set.py").string();
+    fs::create_directories(file.parent_path());
+    fs::create_directories(fs::path(script).parent_path());
+    const fs::path tree = ASV_SOURCE_DIR;
+    fs::copy_file(tree / "testcases/set/problems.csv", file);
+    fs::copy_file(tree / "tests/benchmark/benchmark_set.py", script);
+    const auto run = [&](const Words& words) { return run_program(script, words); };
+    if (run({"make"}).exit_code == cannot_start) GTEST_SKIP() << "no Python";
+    EXPECT_EQ(io::read_file(file), io::format_set(io::benchmark_set()));
+
+    SetProblem entry = io::chosen_of_set("crossing-03a").at(0);
+    std::string text = io::read_file(file);
+    const std::string worse = entry.name + ',' + entry.words + ",3,feasible,999.000000,0.001000";
+    text.replace(text.find(entry.line), entry.line.size(), worse);
+    std::ofstream(file) << text;
+    ASSERT_EQ(bench({}, {"--set", entry.name, "--json", (folder / "b.json").string()}).exit_code,
+              0);
+    ASSERT_EQ(run({"make"}).exit_code, 0);
+    EXPECT_EQ(io::read_file(file), text) << "what is known stays with the words";
+    const Outcome updated = run({"update", (folder / "b.json").string()});
+    ASSERT_EQ(updated.exit_code, 0) << updated.err;
+    const auto set = io::parse_set(io::read_file(file));
+    const auto found = std::find_if(set.begin(), set.end(), [&](const SetProblem& problem) {
+        return problem.name == entry.name;
+    });
+    ASSERT_NE(found, set.end());
+    EXPECT_LT(*found->best_cost, 999);
+    EXPECT_EQ(*found->lower_bound, *entry.lower_bound);
+    EXPECT_GE(*found->best_cost, *found->lower_bound);
+    const Outcome results = run({"results", (folder / "b.json").string()});
+    EXPECT_TRUE(contains(results.out, "| crossing | 2 | 2 |")) << results.out << results.err;
 }
 
 TEST(SetOfProblems, WrongUsageIsTold) {
