@@ -1,12 +1,12 @@
 #include "tools/common/interrupt.hpp"
 
-#include <cstdlib>
 #include <system_error>
 
 #include <pthread.h>
 #include <sys/time.h>
 #include <unistd.h>
 
+#include "tools/common/end_at_once.hpp"
 #include "tools/common/exit_code.hpp"
 
 namespace asv::tools {
@@ -95,7 +95,7 @@ InterruptWatch::InterruptWatch()
     : thread_([this](const std::stop_token& /*done*/, const sigset_t& signals) {
           int signal = 0;
           if (sigwait(&signals, &signal) != 0 || signal == wake_up_signal) return;
-          if (interrupted_.stop_requested()) std::_Exit(interrupted);
+          if (interrupted_.stop_requested()) end_at_once(interrupted);
           interrupted_.request_stop();
       }) {}
 

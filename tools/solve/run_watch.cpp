@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <csignal>
-#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <utility>
 
-#include <unistd.h>
+#include "tools/common/end_at_once.hpp"
 
 namespace asv::tools {
 
@@ -97,7 +96,7 @@ void RunWatch::cut_off(bool interrupted) const {
     CutOff at{interrupted, stage_, to_stream_, std::nullopt};
     const double path_after = path_after_;
     if (path_after >= 0) at.path_after = path_after;
-    std::_Exit(give_up_(at));
+    end_at_once(give_up_(at));
 }
 
 }  // namespace asv::tools

@@ -24,6 +24,7 @@
 #include "tools/bench/runs/run_bytes.hpp"
 #include "tools/bench/runs/supervised_process.hpp"
 #include "tools/common/descriptor.hpp"
+#include "tools/common/end_at_once.hpp"
 
 namespace asv::tools {
 
@@ -96,7 +97,7 @@ void follow(pid_t parent, int signal) {
     // That of another program has been measured from outside.
     if (!external) run.peak_memory_bytes = peak_memory();
     // Nothing of the launcher's is to be flushed or undone a second time.
-    ::_exit(io::write_all(out, run_bytes(run)) ? 0 : 1);
+    end_at_once(io::write_all(out, run_bytes(run)) ? 0 : 1);
 }
 
 /// A run whose process has ended without a word.
@@ -152,9 +153,9 @@ void leave_interrupts_to_the_program() {
     ::close_range(static_cast<unsigned>(socket) + 1, ~0U, 0);
     try {
         serve(socket);
-        ::_exit(0);
+        end_at_once(0);
     } catch (const std::exception&) {
-        ::_exit(1);
+        end_at_once(1);
     }
 }
 
