@@ -1,12 +1,15 @@
 #include "io/player/gallery.hpp"
 
+#include <array>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "io/problem/problem_file.hpp"
 #include "io/solution/solution_file.hpp"
+#include "io/solution/trees_file.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/parse_error.hpp"
 #include "tests/kit/files/drawing_samples.hpp"
@@ -72,6 +75,40 @@ TEST_F(Gallery, WritesPicturesPlayersAndAnIndexOfAll) {
     EXPECT_NE(index.find("<a href=\"b.dark.svg\" aria-label=\"Picture of b, dark\">"),
               std::string::npos);
     EXPECT_EQ(index.find(folder_.path().string()), std::string::npos) << "no folder names";
+}
+
+/// Writes the gallery of b.txt alone, with these files beside it; what its index says.
+std::string index_beside(const std::filesystem::path& folder, const std::string& trees,
+                         const std::string& stats) {
+    write_file(folder / "cases/b.trees.json", trees);
+    write_file(folder / "cases/b.stats.json", stats);
+    write_gallery(folder / "out",
+                  find_exhibits(std::vector{folder / "cases/b.txt"}, folder / "cases"));
+    return read_file(folder / "out/index.html");
+}
+
+TEST_F(Gallery, ShowsWhatTheSolverHasWrittenBesideAProblem) {
+    const std::string trees = format_trees({"rrt", 3, {{"start", {{0.1, 0.3}}, {-1}}}, {}});
+    const std::string index = index_beside(
+        folder_.path(), trees, R"({"planner": "rrt & more", "cost_lower_bound": 0.0625})");
+    EXPECT_NE(index.find("<p>1 problem. "), std::string::npos) << index;
+    EXPECT_NE(index.find("lower bound 0.0625"), std::string::npos) << index;
+    EXPECT_NE(index.find("rrt &amp; more</p>"), std::string::npos) << index;
+    EXPECT_NE(read_file(folder_ / "out/b.html").find("\"trees\":[{\"kind\":\"start\""),
+              std::string::npos);
+}
+
+TEST_F(Gallery, NamesWhatItCannotReadWithoutItsFolder) {
+    const std::string trees = format_trees({"rrt", 3, {{"start", {{0.1, 0.3}}, {-1}}}, {}});
+    const std::vector<std::array<std::string, 3>> cases{
+        {"{}", "{}", "✗ b.trees.json:1:1: expected the integer 1 at version, found nothing"},
+        {trees, "{", "✗ b.stats.json:1:2: expected JSON, found the end of the file"},
+        {trees, "{\"planner\": 3}", "✗ b.stats.json:1:13: expected a string at planner, found 3"}};
+    for (const auto& [tree_file, stats_file, reason] : cases) {
+        const std::string index = index_beside(folder_.path(), tree_file, stats_file);
+        EXPECT_NE(index.find("0 problems, 1 not readable"), std::string::npos) << index;
+        EXPECT_NE(index.find(reason), std::string::npos) << index;
+    }
 }
 
 TEST_F(Gallery, ThePageLoadsNothingFromElsewhere) {

@@ -2,6 +2,9 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -105,6 +108,44 @@ TEST(Player, CarriesTheObstaclesHoweverMany) {
               std::string::npos);
 }
 
+TEST(Player, TellsWhichEndOfAProblemIsNotValid) {
+    ExhibitInput input = sample(3, {{0.1, 0.3}, {0.2, 0.3}}, {});
+    input.solution.reset();
+    const auto complaint_with = [&](const Box& box) {
+        input.problem.obstacles = {box};
+        const json data = data_of(make_player(make_exhibit(input)));
+        EXPECT_EQ(data["verdict"], "start or goal is not valid");
+        EXPECT_EQ(data["violationCount"], 0) << "there is no path that has a step";
+        return data["complaints"].at(0)["sentence"].get<std::string>();
+    };
+    const auto around = [](const Point& p) {
+        return Box{{p.x - 0.001, p.y - 0.001}, {p.x + 0.001, p.y + 0.001}};
+    };
+    EXPECT_TRUE(complaint_with(around(input.problem.start[0])).ends_with(" (start)"));
+    EXPECT_TRUE(complaint_with(around(input.problem.goal[0])).ends_with(" (goal)"));
+}
+
+/// The links of an arm enclose nothing.
+TEST(Player, OfAnArmTellsNoArea) {
+    ExhibitInput input = sample(1, {{0.1, 0.3}, {0.2, 0.3}}, {});
+    core::PlanarArm arm;
+    arm.links = {0.2};
+    arm.joints = {{.wraps = true}};
+    arm.start = {0};
+    arm.goal = {0};
+    input.problem.start = input.problem.goal = {{0.1, 0.3}, {0.3, 0.3}};
+    input.problem.body = arm;
+    input.solution->path = core::Path(2);
+    input.solution->path.push_back(input.problem.start);
+    input.solution->cost = 0;
+    const json data = data_of(make_player(make_exhibit(input)));
+    EXPECT_EQ(data["body"], "arm");
+    EXPECT_EQ(data["words"]["link"], "link");
+    const std::vector<double> none{std::numeric_limits<double>::quiet_NaN()};
+    EXPECT_EQ(data["area"], pack_doubles(none));
+    EXPECT_EQ(data["clearance"], pack_doubles(none)) << "nothing is there to be near to";
+}
+
 TEST(Player, SpeaksOfTheBodyInItsOwnWords) {
     ExhibitInput input = sample(1, {{0.1, 0.3}, {0.2, 0.3}}, {});
     EXPECT_EQ(data_of(make_player(make_exhibit(input)))["words"]["link"], "broom");
@@ -124,6 +165,16 @@ TEST(Player, ShowsTreesAndProblemsAlone) {
     EXPECT_EQ(data["trees"][0]["kind"], "roadmap");
     const std::vector<std::int32_t> edge{0, 1};
     EXPECT_EQ(data["trees"][0]["edges"], pack_integers(edge));
+}
+
+TEST(Player, ShowsTheTreeOfEachEndInItsOwnColour) {
+    ExhibitInput input = sample(3, {{0.1, 0.3}, {0.2, 0.3}}, {});
+    const auto tree = [](const char* root) { return SearchTree{root, {{0, 0}}, {-1}}; };
+    input.trees = SearchTrees{"rrt-connect", 3, {tree("start"), tree("goal")}, {}};
+    const json data = data_of(make_player(make_exhibit(std::move(input))));
+    EXPECT_EQ(data["trees"][0]["kind"], "start");
+    EXPECT_EQ(data["trees"][1]["kind"], "goal");
+    EXPECT_EQ(data["trees"][1]["edges"], "");
 }
 
 }  // namespace

@@ -200,6 +200,28 @@ TEST(BenchProgram, WrongUsageNamesWhatThereIs) {
     }
 }
 
+TEST(BenchProgram, WarnsOfSettingsWithoutEffect) {
+    const Words words{testcase_file("bodies/point-town.json"), "--seeds", "1", "--planner",
+                      "it: rrt-connect swap-step=0.1 sigma=0.1"};
+    const Outcome outcome = run_program("asv-bench", words);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(
+        outcome.err,
+        "asv-bench: warning: it on point-town: swap-step=0.1 has no effect: swap-limiter is "
+        "off\nasv-bench: warning: it on point-town: sigma=0.1 has no effect: the sampler that "
+        "is chosen does not use it\n");
+}
+
+TEST(BenchProgram, SeveralLogsDoNotGoToStandardOutput) {
+    const Outcome outcome =
+        bench({testcase_file("3ASV.txt")}, {"--direction", "both", "--ompl-log", "-"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err,
+              "asv-bench: --ompl-log - holds one problem in one direction, not several\n");
+    EXPECT_TRUE(
+        bench({testcase_file("3ASV.txt")}, {"--ompl-log", "-"}).out.starts_with("ASV version "));
+}
+
 TEST(BenchProgram, AnOutputThatCannotBeWrittenIsToldBeforeAnythingRuns) {
     for (const char* option : {"--table", "--csv", "--json", "--database", "--ompl-log", "--plot",
                                "--profile", "--anytime"}) {

@@ -31,15 +31,15 @@ std::string script(const TemporaryFolder& folder, const std::string& name,
 }
 
 /// The first run of the script on 3ASV, and what the table says of it.
-json run_of(const std::string& lines) {
+json run_of(const std::string& lines, const Words& more = {}) {
     const TemporaryFolder folder;
     const std::string file = (folder / "b.json").string();
     const std::string program = script(folder, "it.sh", lines);
-    const Words options{
-        "--time-limit", "0.3",
-        "--json",       file,
-        "--table",      "-",
-        "--planner",    "it: exec " + program + " {problem} {solution} {seed} {time}"};
+    Words options{"--time-limit", "0.3",
+                  "--json",       file,
+                  "--table",      "-",
+                  "--planner",    "it: exec " + program + " {problem} {solution} {seed} {time}"};
+    options.insert(options.end(), more.begin(), more.end());
     const Outcome outcome = bench({testcase_file("3ASV.txt")}, options);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     const json run = json::parse(io::read_file(file))["runs"][0];
@@ -159,6 +159,15 @@ TEST(ExternalPlanner, TheMemoryLimitHoldsForItToo) {
         EXPECT_EQ(run["status"], "memory-limit") << run["reason"];
 }
 
+/// Programs that catch the lack of memory and say so, whatever they held.
+TEST(ExternalPlanner, MayTellItselfThatThereWasNoMemory) {
+    const std::string lines = "echo 'MemoryError: no room' >&2; exit 1";
+    EXPECT_EQ(run_of(lines)["status"], "crash") << "there was no limit";
+    const json run = run_of(lines, {"--memory-limit", "500"});
+    EXPECT_EQ(run["status"], "memory-limit");
+    EXPECT_EQ(run["reason"], "it wanted more than 500 MB of memory");
+}
+
 TEST(ExternalPlanner, ACommandThatCannotBeRunIsWrongUsage) {
     const auto message = [](const std::string& planner) {
         const Outcome outcome = bench({testcase_file("3ASV.txt")}, {"--planner", planner});
@@ -173,16 +182,43 @@ TEST(ExternalPlanner, ACommandThatCannotBeRunIsWrongUsage) {
     EXPECT_TRUE(contains(message("exec cp '{problem} {solution}"), "a quote ' is not closed"));
 }
 
+/// A copy of asv-bench in the folder, by its way from the other programs.
+std::string lone_bench(const TemporaryFolder& folder) {
+    const std::filesystem::path lone = folder / "asv-bench";
+    std::filesystem::copy_file(std::filesystem::path(ASV_PROGRAM_DIR) / "asv-bench", lone);
+    return std::filesystem::relative(lone, ASV_PROGRAM_DIR).string();
+}
+
 /// As it is where asv-ompl is not built, and not installed beside it.
 TEST(ExternalPlanner, OfOmplNeedsAsvOmplBesideIt) {
     const TemporaryFolder folder;
-    const std::filesystem::path lone = folder / "asv-bench";
-    std::filesystem::copy_file(std::filesystem::path(ASV_PROGRAM_DIR) / "asv-bench", lone);
-    const std::string name = std::filesystem::relative(lone, ASV_PROGRAM_DIR).string();
-    const Outcome outcome =
-        run_program(name, {testcase_file("3ASV.txt"), "--planner", "ompl:RRTConnect"});
+    const Outcome outcome = run_program(
+        lone_bench(folder), {testcase_file("3ASV.txt"), "--planner", "ompl:RRTConnect"});
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_TRUE(contains(outcome.err, "this asv-bench was built without OMPL")) << outcome.err;
+}
+
+/// An asv-ompl that knows one planner, and finds no path.
+TEST(ExternalPlanner, OfOmplIsACommandThatAsvOmplHasTaken) {
+    const TemporaryFolder folder;
+    const std::string program = lone_bench(folder), file = (folder / "b.json").string();
+    const std::string ompl =
+        script(folder, "asv-ompl",
+               "case \"$*\" in *Magic*) exit 2;; *--check-planner*) exit 0;; esac; exit 4");
+    const Outcome unknown =
+        run_program(program, {testcase_file("3ASV.txt"), "--planner", "ompl:Magic"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_EQ(unknown.err, "asv-bench: --planner ompl:Magic: asv-ompl does not take it\n");
+    const Outcome outcome =
+        run_program(program, {testcase_file("3ASV.txt"), "--planner",
+                              "far: ompl:RRTConnect range=1 --optimize=2", "--json", file});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json report = json::parse(io::read_file(file));
+    EXPECT_EQ(report["planners"][0]["label"], "far");
+    EXPECT_EQ(report["planners"][0]["command"],
+              json({ompl, "{problem}", "{solution}", "--planner", "RRTConnect", "--set", "range=1",
+                    "--optimize=2", "--seed", "{seed}", "--time-limit", "{time}", "--quiet"}));
+    EXPECT_EQ(report["runs"][0]["status"], "infeasible") << report["runs"][0]["reason"];
 }
 
 TEST(ExternalPlanner, IsInTheFilesAndReadAgain) {

@@ -4,8 +4,12 @@
 #include <iostream>
 #include <string>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "io/text/atomic_file.hpp"
 #include "tests/kit/chains/problems.hpp"
@@ -121,6 +125,37 @@ TEST(Resume, AJournalOfAnotherBenchmarkIsRefusedAndLeftAlone) {
     EXPECT_EQ(io::read_file(problem), io::read_file(testcase_file("3ASV-x4.txt")));
 }
 
+TEST(Resume, NeedsAFileOfItsOwn) {
+    const TemporaryFolder folder;
+    const std::string journal = (folder / "j").string(), pipe = (folder / "p").string();
+    const auto refusal = [](const std::string& file) {
+        const Outcome outcome = bench({testcase_file("3ASV.txt")}, {"--resume", file});
+        EXPECT_EQ(outcome.exit_code, 2) << file;
+        return outcome.err;
+    };
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_EQ(refusal(pipe), "asv-bench: --resume " + pipe + ": not a regular file\n");
+    const int held = ::open(journal.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    ASSERT_EQ(::flock(held, LOCK_EX), 0);
+    EXPECT_EQ(refusal(journal),
+              "asv-bench: --resume " + journal + ": another asv-bench is writing it\n");
+    ::close(held);
+    const Outcome nowhere =
+        bench({testcase_file("3ASV.txt")}, {"--resume", (folder / "no/j").string()});
+    EXPECT_EQ(nowhere.exit_code, 5);
+    EXPECT_TRUE(contains(nowhere.err, "no/j: No such file or directory")) << nowhere.err;
+}
+
+/// The journal of a sweep that is over is taken as it is: no run is run twice, and none is added.
+TEST(Resume, OfWhatIsDoneRunsNothing) {
+    const TemporaryFolder folder;
+    const Words options{"--resume", (folder / "j").string(), "--table", "-"};
+    ASSERT_EQ(bench({testcase_file("3ASV.txt")}, options).exit_code, 0);
+    const std::string journal = io::read_file(folder / "j");
+    EXPECT_TRUE(contains(bench({testcase_file("3ASV.txt")}, options).out, "| 3ASV | 2 of 2 |"));
+    EXPECT_EQ(io::read_file(folder / "j"), journal);
+}
+
 TEST(From, MakesTheSameFilesWithoutARun) {
     const TemporaryFolder folder;
     const auto in = [&](const std::string& name) { return (folder / name).string(); };
@@ -160,6 +195,32 @@ TEST(From, AddsAPlannerAndRunsOnlyThat) {
         run_program("asv-bench", {"--from", in("a.json"), "--from", in("b.json")});
     EXPECT_EQ(twice.exit_code, 2);
     EXPECT_TRUE(contains(twice.err, "3ASV forward, auto, seed 1 is in")) << twice.err;
+}
+
+/// More runs belong to what there is: the same planner, problem and version.
+TEST(From, RefusesAPlannerThatDoesNotBelongToTheRuns) {
+    const TemporaryFolder folder;
+    const std::string problem = (folder / "p.txt").string(), file = (folder / "a.json").string();
+    io::write_file(problem, io::read_file(testcase_file("3ASV.txt")));
+    ASSERT_EQ(bench({problem}, {"--json", file}).exit_code, 0);
+    const auto refusal = [&](const std::string& planner) {
+        const Outcome outcome = run_program("asv-bench", {"--from", file, "--planner", planner});
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_EQ(outcome.out, "");
+        return outcome.err;
+    };
+    EXPECT_EQ(refusal("auto: rrt"),
+              "asv-bench: planner auto is rrt here, auto in the files of --from; give it another "
+              "label\n");
+    io::write_file(problem, io::read_file(testcase_file("3ASV-x4.txt")));
+    EXPECT_EQ(refusal("rrt"), "asv-bench: " + problem +
+                                  " is not the problem that the runs of --from are of: its content "
+                                  "has changed\n");
+    json old = json_of(file);
+    old["session"]["version"] = "0.0.1";
+    io::write_file(file, old.dump());
+    EXPECT_TRUE(refusal("rrt").starts_with(
+        "asv-bench: the runs of --from are of version 0.0.1, and do not compare with those of "));
 }
 
 TEST(From, LeavesNoRoomForOptionsOfThePlan) {

@@ -60,6 +60,12 @@ TEST(RunLauncher, WhatIsThrownThereIsAFault) {
     EXPECT_NE(run.fault.find("not valid"), std::string::npos) << run.fault;
 }
 
+TEST(RunLauncher, WithoutAnAnswerTheRunHasAFault) {
+    const core::BenchmarkRun run = answered_run(std::nullopt, {0, 0, core::Direction::reversed, 9});
+    EXPECT_EQ(run.fault, "the process that starts the runs has ended");
+    EXPECT_EQ(run.place.seed, 9U);
+}
+
 TEST(RunLauncher, AbortEndsIt) {
     core::BenchmarkPlan plan = plan_of("infeasible/wall-across");
     plan.time_limit = 3600;
