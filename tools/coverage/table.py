@@ -12,14 +12,18 @@ switch. gcov counts more, which is left out here:
 - whether a call returns or throws, at every call that may;
 - what happens at a line that holds nothing but brackets, where objects end;
 - the value that has no case in a switch without default: the compiler warns of an enumerator without.
-What else the compiler makes for exceptions counts, as gcov does not tell it from the rest.
+- which objects an exception ends on its way: what only exceptions lead to, at a line that also runs
+  without one. What a handler of exceptions decides counts.
 The copies of a template or an inline function are one, where a line has as many branches in each.
 """
 
 import argparse
 import collections
+import concurrent.futures
+import functools
 import json
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -28,12 +32,12 @@ FOLDERS = ("core", "geometry", "io", "tools")
 PLACES_TO_PRINT = 30
 
 
-def counts_of_decisions(arcs):
+def decisions(arcs):
     """Without the pairs of which one is the exception: gcov names it right after the call's return."""
     kept = []
     for arc in arcs:
         if not arc["throw"]:
-            kept.append(arc["count"])
+            kept.append(arc)
         elif kept:
             kept.pop()
     return kept
@@ -67,21 +71,27 @@ class Coverage:
     def __init__(self):
         self.lines = collections.defaultdict(collections.Counter)
         self.branches = collections.defaultdict(collections.Counter)
+        self.of_exceptions = collections.defaultdict(set)
 
     def add(self, name, line):
         number = line["line_number"]
         self.lines[name][number] += line["count"]
-        counts = counts_of_decisions(line["branches"])
-        for place, count in enumerate(counts):
-            self.branches[name][number, len(counts), place] += count
+        kept = decisions(line["branches"])
+        for place, arc in enumerate(kept):
+            key = number, len(kept), place
+            self.branches[name][key] += arc["count"]
+            if arc["ends_objects"]:
+                self.of_exceptions[name].add(key)
 
     def forget_what_nobody_wrote(self):
         for name, branches in self.branches.items():
             text = text_of(name)
             for number, size, place in list(branches):
-                is_last = place == size - 1
-                if holds_only_brackets(text[number - 1]) or (is_last and lacks_default(text, number)):
-                    del branches[number, size, place]
+                key, line = (number, size, place), text[number - 1]
+                is_no_case = place == size - 1 and lacks_default(text, number)
+                ends_objects = key in self.of_exceptions[name] and "} catch (" not in line
+                if holds_only_brackets(line) or is_no_case or ends_objects:
+                    del branches[key]
 
 
 def object_files(build):
@@ -104,16 +114,73 @@ def name_in_tree(path):
     return str(name) if name.parts[0] in FOLDERS else None
 
 
+def gcov(build, notes, *options):
+    """The lines that gcov prints of one object file."""
+    command = ["gcov", "--branch-probabilities", "--stdout", *options, str(notes)]
+    result = subprocess.run(command, cwd=build, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    if result.returncode != 0:
+        sys.exit(f"table.py: gcov has nothing to tell of {notes}")
+    return result.stdout.splitlines()
+
+
+# Rows of gcov's text: a line of the source, and a block of one. A block that was not run has a sign instead
+# of its count, which is the last one here where exceptions alone lead to it.
+LINE = re.compile(r" *(?:\d+\*?|#{5}|={5}): *(\d+):")
+BLOCK = re.compile(r" *(?:\d+\*?|%{5}|(\${5})): *\d+-block")
+FILE = "        -:    0:Source:"
+
+
+class SignsOfExceptions:
+    """Which branches exceptions alone lead to, though not to their line: gcov's text tells it, its JSON does not."""
+
+    def __init__(self, text):
+        self.found = collections.defaultdict(list)
+        name = number = of_exceptions = None
+        branches, line_is_run = [], False
+        for row in [*text, FILE]:
+            if row.startswith("branch"):
+                branches.append(of_exceptions)
+            elif block := name and BLOCK.match(row):
+                of_exceptions = block[1] is not None
+                line_is_run |= not of_exceptions
+            elif (line := name and LINE.match(row)) or row.startswith(FILE):
+                if name and branches:
+                    self.found[name, number].append([line_is_run and sign for sign in branches])
+                branches, line_is_run = [], False
+                if line:
+                    number = int(line[1])
+                else:
+                    name = name_in_tree(pathlib.Path(row[len(FILE) :]))
+
+    def next_of(self, name, line):
+        """For the branches of a line, which the JSON tells in the same order; none where it differs."""
+        count = len(line["branches"])
+        told = self.found[name, line["line_number"]]
+        signs = told.pop(0) if count > 0 and told else []
+        return signs if len(signs) == count else [False] * count
+
+
+def read_object(build, folder, notes):
+    """Our lines in one object file, with the names of their files."""
+    signs = SignsOfExceptions(gcov(build, notes, "--all-blocks"))
+    lines = []
+    for record in filter(str.strip, gcov(build, notes, "--json-format")):
+        for file in json.loads(record)["files"]:
+            name = name_in_tree((build / file["file"]).resolve())
+            for line in file["lines"] if name and lies_in(name, folder) else []:
+                for arc, sign in zip(line["branches"], signs.next_of(name, line)):
+                    arc["ends_objects"] = sign
+                lines.append((name, line))
+    return lines
+
+
 def read(build, folder):
     coverage = Coverage()
-    command = ["gcov", "--json-format", "--stdout", "--branch-probabilities", *sorted(map(str, object_files(build)))]
-    with subprocess.Popen(command, cwd=build, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as gcov:
-        for record in filter(str.strip, map(bytes.decode, gcov.stdout)):
-            for file in json.loads(record)["files"]:
-                name = name_in_tree((build / file["file"]).resolve())
-                for line in file["lines"] if name and lies_in(name, folder) else []:
-                    coverage.add(name, line)
-    if gcov.returncode != 0 or not coverage.lines:
+    with concurrent.futures.ProcessPoolExecutor() as pool:
+        for lines in pool.map(functools.partial(read_object, build, folder), sorted(object_files(build))):
+            for name, line in lines:
+                coverage.add(name, line)
+    if not coverage.lines:
         sys.exit(f"table.py: gcov has nothing to tell of {build}")
     coverage.forget_what_nobody_wrote()
     return coverage
