@@ -91,5 +91,21 @@ TEST(ScenarioProgram, AnInvalidEndIsToldWithItsLine) {
         << outcome.err;
 }
 
+TEST(Scenarios, WarnsOfASettingWithoutEffectUnlessQuietIsAskedFor) {
+    const test::TemporaryFolder folder;
+    std::vector<std::string> words{test::testcase_file("bodies/point-town.json"),
+                                   (folder / "s").string()};
+    words.insert(words.end(), {"--planner", "rrt", "--set", "sigma=0.1", "--optimize", "0"});
+    const test::Outcome outcome = test::run_program("asv-solve", words);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(
+        outcome.err.find("asv-solve: warning: --set sigma=0.1 has no effect: the sampler that "
+                         "is chosen does not use it\n"),
+        0U)
+        << outcome.err;
+    words.emplace_back("--quiet");
+    EXPECT_EQ(test::run_program("asv-solve", words).err, "");
+}
+
 }  // namespace
 }  // namespace asv

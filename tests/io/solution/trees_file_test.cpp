@@ -77,6 +77,22 @@ TEST(TreesFile, NamesThePlaceOfWhatItCannotTake) {
               "trees.json:1:88: expected a number within the range of a double, found 1e999");
 }
 
+TEST(TreesFile, APointIsTwoNumbersAndAnEdgeTwoIndices) {
+    const std::string head = R"({"version": 1, "planner": "p", "asv_count": 3, "trees": )";
+    for (const char* point : {"7", "[]", "[1]", "[1, 2, 3]", "[\"1\", 2]", "[1, null]"})
+        EXPECT_TRUE(complaint(head + "[{\"root\": \"start\", \"points\": [" + point + "]}]}")
+                        .starts_with("trees.json:1:87: expected two numbers [x, y] at "
+                                     "trees[0].points[0], found "))
+            << point;
+    for (const char* edge : {"7", "[0]", "[0, 0, 0]"})
+        EXPECT_TRUE(complaint(head +
+                              "[{\"root\": \"roadmap\", \"points\": [[0, 0]]}], \"edges\": [" +
+                              edge + "]}")
+                        .starts_with("trees.json:1:110: expected two indices [i, j] at edges[0], "
+                                     "found "))
+            << edge;
+}
+
 TEST(TreesFile, TakesNoHugeIntegers) {
     EXPECT_NE(complaint(R"({"version": 18446744073709551615})"), "none");
     EXPECT_NE(complaint(R"({"version": 1.0})"), "none");

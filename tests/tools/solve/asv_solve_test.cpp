@@ -276,6 +276,9 @@ TEST(SolveProgram, WrongUsageNamesWhatThereIs) {
     const Outcome range = solve(testcase_file("3ASV.txt"), file, {"--set", "pull-share=2"});
     EXPECT_EQ(range.exit_code, 2);
     EXPECT_NE(range.err.find("from 0 to 1"), std::string::npos) << range.err;
+    const Outcome no_value = solve(testcase_file("3ASV.txt"), file, {"--set", "pull-share"});
+    EXPECT_EQ(no_value.exit_code, 2);
+    EXPECT_EQ(no_value.err, "asv-solve: --set wants KEY=VALUE, not 'pull-share'\n");
     const Outcome mix =
         solve(testcase_file("3ASV.txt"), file, {"--planner", "rrt", "--set", "sampler=mix"});
     EXPECT_EQ(mix.exit_code, 2);
