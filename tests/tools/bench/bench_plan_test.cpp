@@ -1,5 +1,6 @@
 #include "tools/bench/bench_plan.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -47,8 +48,8 @@ TEST(ParsePlanner, SaysWhatIsWrong) {
         {"exec /proc/version {problem} {solution}",
          "--planner exec /proc/version {problem} {solution}: there is no program '/proc/version' "
          "that can be run"}};
-    for (const auto& [text, message] : mistakes)
-        EXPECT_EQ(test::error_message<UsageError>([&] { parse_planner(text); }), message);
+    for (const auto& mistake : mistakes)
+        EXPECT_EQ(test::error_message<UsageError>([&] { parse_planner(mistake[0]); }), mistake[1]);
 }
 
 TEST(ParsePlanners, AllOfThemHaveNamesOfTheirOwn) {
