@@ -47,8 +47,8 @@ struct BenchmarkReport {
 std::string planner_text(const core::BenchmarkPlanner& planner);
 
 /// A call of asv-solve that repeats the run, quoted for a shell, behind one of asv-generate where
-/// the problem is no file; or of the program that is the
-/// planner, whose problem, where it is reversed, is to be written as reversed.txt first.
+/// the problem is no file; or of the program that is the planner, whose problem, where it is
+/// reversed, is to be written as reversed.txt first.
 std::string solve_command(const core::BenchmarkPlan& plan, const core::RunPlace& place);
 
 /// "2026-11-25 16:06:21", in UTC.

@@ -45,37 +45,38 @@ void for_each_problem(const ChainOptions& chain, const Body& body) {
         }
 }
 
+/// Of every family, small ones and larger ones.
+template <class Body>
+void for_each_obstructed(Obstruction obstruction, const Body& body) {
+    for (const std::size_t n : {3U, 6U}) {
+        ChainOptions chain;
+        chain.asv_count = n;
+        chain.obstruction = obstruction;
+        for_each_problem(chain, body);
+    }
+}
+
 void expect_valid_ends(const Problem& problem) {
     for (const auto* end : {&problem.start, &problem.goal})
         EXPECT_TRUE(validate_state(problem, *end, {.tolerance = 1e-9}).valid());
 }
 
 TEST(Obstruction, ATurnedGoalIsProvenToBeOutOfReach) {
-    for (const std::size_t n : {3U, 6U}) {
-        ChainOptions chain;
-        chain.asv_count = n;
-        chain.obstruction = Obstruction::turned;
-        for_each_problem(chain, [](const Problem& problem) {
-            expect_valid_ends(problem);
-            EXPECT_EQ(check_feasibility(problem).cause, Infeasibility::opposite_orientation);
-            EXPECT_FALSE(vouch(problem).solvable);
-        });
-    }
+    for_each_obstructed(Obstruction::turned, [](const Problem& problem) {
+        expect_valid_ends(problem);
+        EXPECT_EQ(check_feasibility(problem).cause, Infeasibility::opposite_orientation);
+        EXPECT_FALSE(vouch(problem).solvable);
+    });
 }
 
 TEST(Obstruction, AFencedGoalIsProvenToBeOutOfReach) {
-    for (const std::size_t n : {3U, 6U}) {
-        ChainOptions chain;
-        chain.asv_count = n;
-        chain.obstruction = Obstruction::fenced;
-        for_each_problem(chain, [](const Problem& problem) {
-            expect_valid_ends(problem);
-            EXPECT_EQ(check_feasibility(problem).cause, Infeasibility::separated);
-            Problem open = problem;
-            open.obstacles.resize(open.obstacles.size() - 4);
-            EXPECT_EQ(check_feasibility(open).cause, Infeasibility::none);
-        });
-    }
+    for_each_obstructed(Obstruction::fenced, [](const Problem& problem) {
+        expect_valid_ends(problem);
+        EXPECT_EQ(check_feasibility(problem).cause, Infeasibility::separated);
+        Problem open = problem;
+        open.obstacles.resize(open.obstacles.size() - 4);
+        EXPECT_EQ(check_feasibility(open).cause, Infeasibility::none);
+    });
 }
 
 TEST(Obstruction, WithoutOneTheProblemIsWhatItWas) {

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 
 #include "core/bounds/feasibility.hpp"
 #include "core/solve/solve.hpp"
+#include "io/benchmark/record/generated_name.hpp"
 #include "io/benchmark/set/benchmark_set.hpp"
 #include "io/text/atomic_file.hpp"
 #include "tests/kit/files/temporary_folder.hpp"
@@ -26,10 +26,7 @@ using io::SetProblem;
 using nlohmann::json;
 
 core::Problem made_from(const SetProblem& entry) {
-    std::istringstream text(entry.words);
-    Words words;
-    for (std::string word; text >> word;) words.push_back(word);
-    return tools::generated(words).problem;
+    return tools::generated(*io::generator_words(io::generated_name(entry.words))).problem;
 }
 
 /// The runs of one seed on the problems that the pattern fits.
