@@ -1,11 +1,11 @@
 #include "geometry/boxes/box_index.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "tests/geometry/unit_and_infinity.hpp"
 #include "tests/kit/geometry/adversary.hpp"
 #include "tests/kit/geometry/forced_target.hpp"
 
@@ -15,8 +15,6 @@ namespace {
 using test::Adversary;
 using test::ForcedTarget;
 using Indices = std::vector<std::uint32_t>;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class Meets>
 Indices brute_force(std::span<const Box> boxes, Meets&& meets) {

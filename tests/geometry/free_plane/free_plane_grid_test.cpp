@@ -1,11 +1,11 @@
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "geometry/free_plane/free_plane.hpp"
+#include "tests/geometry/unit_and_infinity.hpp"
 #include "tests/kit/geometry/visibility_oracle.hpp"
 #include "tests/kit/random.hpp"
 #include "tests/kit/scaled.hpp"
@@ -14,8 +14,6 @@
 
 namespace asv::geometry {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Scenes on a grid of integers, where sides, corners and borders coincide all the time.
 class GridScene {

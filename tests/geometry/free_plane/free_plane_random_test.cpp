@@ -1,12 +1,12 @@
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "geometry/free_plane/free_plane.hpp"
+#include "tests/geometry/unit_and_infinity.hpp"
 #include "tests/kit/geometry/random_boxes.hpp"
 #include "tests/kit/geometry/visibility_oracle.hpp"
 #include "tests/kit/scaled.hpp"
@@ -15,9 +15,6 @@
 
 namespace asv::geometry {
 namespace {
-
-constexpr Box unit{{0, 0}, {1, 1}};
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Point anywhere(test::Random& random) {
     const double x = random.uniform(0, 1);

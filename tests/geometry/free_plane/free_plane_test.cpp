@@ -1,20 +1,17 @@
 #include "geometry/free_plane/free_plane.hpp"
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "tests/geometry/unit_and_infinity.hpp"
 #include "tests/kit/geometry/visibility_oracle.hpp"
 
 /// Scenes by hand, of one box to a spiral.
 
 namespace asv::geometry {
 namespace {
-
-constexpr Box unit{{0, 0}, {1, 1}};
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double shortest(const std::vector<Box>& boxes, const Point& from, const Point& to) {
     return FreePlane(boxes, unit).shortest_path(from, to);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/predicates/segment_box.hpp"
+#include "tests/geometry/unit_and_infinity.hpp"
 #include "tests/kit/geometry/adversary.hpp"
 #include "tests/kit/geometry/exact_oracle.hpp"
 #include "tests/kit/scaled.hpp"
@@ -14,8 +15,6 @@ namespace asv::geometry {
 namespace {
 
 using test::Adversary;
-
-constexpr Box unit{{0, 0}, {1, 1}};
 
 double largest_difference(const Segment& segment, const Box& box) {
     const Box all = bounds(segment);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/geometry/unit_and_infinity.hpp"
 #include "tests/kit/geometry/adversary.hpp"
 #include "tests/kit/geometry/exact_oracle.hpp"
 #include "tests/kit/scaled.hpp"
@@ -12,8 +13,6 @@ namespace asv::geometry {
 namespace {
 
 using test::Adversary;
-
-constexpr Box unit{{0, 0}, {1, 1}};
 
 TEST(SegmentBox, TouchingCounts) {
     EXPECT_TRUE(meets({{-1, 1}, {2, 1}}, unit));
