@@ -20,6 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr int max_links = 40;
 constexpr std::size_t block = std::size_t{1} << 16U;
+// A process that is told to end does so only when the read that it is in has returned.
+constexpr std::size_t largest_read = std::size_t{1} << 20U;
 
 [[noreturn]] void fail_to_read(const fs::path& file, int code) {
     throw ReadError(input_name(file) + ": " + std::generic_category().message(code));
@@ -122,7 +124,8 @@ std::string read_to_end(int descriptor, const fs::path& file, const struct stat&
                             std::to_string(limit) + " bytes are read)");
         }
         if (size == content.size()) content.resize(std::min(2 * size, limit + 1));
-        const ssize_t got = ::read(descriptor, content.data() + size, content.size() - size);
+        const ssize_t got = ::read(descriptor, content.data() + size,
+                                   std::min(content.size() - size, largest_read));
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) fail_to_read(file, errno);
         if (got == 0) break;

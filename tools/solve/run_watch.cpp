@@ -21,7 +21,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds patience{70}, patience_of_a_busy_machine{250};
 /// Between two looks at what it has used.
 constexpr milliseconds between_looks{5};
-/// Before the limit, to see how long the end will take.
+/// So long before the limit it begins to look at how long the end will take.
 constexpr milliseconds look_ahead{100};
 
 timespec time_until(Clock::time_point moment) {
@@ -35,7 +35,7 @@ timespec time_until(Clock::time_point moment) {
 Clock::duration time_to_end() {
     std::size_t total_pages = 0, pages = 0;
     std::ifstream("/proc/self/statm") >> total_pages >> pages;
-    constexpr double nanoseconds_per_page = 250;
+    constexpr double nanoseconds_per_page = 500;
     return milliseconds(1) + std::chrono::nanoseconds(static_cast<std::int64_t>(
                                  nanoseconds_per_page * static_cast<double>(pages)));
 }
@@ -72,8 +72,10 @@ void RunWatch::watch(const std::stop_token& done, const sigset_t& signals) {
 Clock::time_point RunWatch::next_look() const {
     const Clock::time_point now = Clock::now();
     Clock::time_point next = Clock::time_point::max();
-    if (limit_) next = *limit_ - (*limit_ - now > look_ahead ? look_ahead : time_to_end());
-    if (interrupted_.stop_requested()) next = std::min(next, now + between_looks);
+    const bool limit_is_near = limit_ && *limit_ - now <= look_ahead;
+    if (limit_) next = *limit_ - (limit_is_near ? time_to_end() : look_ahead);
+    // Memory may grow until then.
+    if (limit_is_near || interrupted_.stop_requested()) next = std::min(next, now + between_looks);
     return next;
 }
 
