@@ -66,13 +66,29 @@ Summary summary_of(std::span<const BenchmarkRun> runs, double time_limit) {
     summary.state_checks = over([](const BenchmarkRun& run) { return run.spent.state_checks; });
     summary.cost_first = over([](const BenchmarkRun& run) { return run.spent.cost_first; });
     summary.ratio = statistics::spread_of(values_of(runs, cost_ratio));
+    summary.invalid = static_cast<std::size_t>(
+        std::count_if(runs.begin(), runs.end(),
+                      [](const BenchmarkRun& run) { return run.status == RunStatus::invalid; }));
     for (const BenchmarkRun& run : runs)
         summary.lower_bound = std::max(summary.lower_bound, run.spent.cost_lower_bound);
     return summary;
 }
 
-bool of_one_row(const RunPlace& a, const RunPlace& b) {
-    return a.problem == b.problem && a.planner == b.planner && a.direction == b.direction;
+/// The summary of those runs of the planner in the direction which are on the problem, or on any;
+/// none where there are no such runs.
+std::optional<Summary> summary_of_row(const BenchmarkPlan& plan, std::span<const BenchmarkRun> runs,
+                                      std::optional<std::size_t> problem, Direction direction,
+                                      std::size_t planner) {
+    std::vector<BenchmarkRun> row;
+    for (const BenchmarkRun& run : runs)
+        if (run.place.planner == planner && run.place.direction == direction &&
+            (!problem || run.place.problem == *problem))
+            row.push_back(run);
+    if (row.empty()) return std::nullopt;
+    Summary summary = summary_of(row, plan.time_limit);
+    // Another program does not tell what it does inside.
+    if (plan.planners[planner].external()) summary.nodes = summary.state_checks = {};
+    return summary;
 }
 
 }  // namespace
@@ -81,16 +97,19 @@ std::vector<Summary> summarise(const BenchmarkPlan& plan, std::span<const Benchm
     std::vector<Summary> summaries;
     for (std::size_t problem = 0; problem < plan.problems.size(); ++problem)
         for (const Direction direction : plan.directions)
-            for (std::size_t planner = 0; planner < plan.planners.size(); ++planner) {
-                std::vector<BenchmarkRun> row;
-                for (const BenchmarkRun& run : runs)
-                    if (of_one_row(run.place, {problem, planner, direction, 0})) row.push_back(run);
-                if (row.empty()) continue;
-                summaries.push_back(summary_of(row, plan.time_limit));
-                // Another program does not tell what it does inside.
-                if (plan.planners[planner].external())
-                    summaries.back().nodes = summaries.back().state_checks = {};
-            }
+            for (std::size_t planner = 0; planner < plan.planners.size(); ++planner)
+                if (auto summary = summary_of_row(plan, runs, problem, direction, planner))
+                    summaries.push_back(*std::move(summary));
+    return summaries;
+}
+
+std::vector<Summary> summarise_over_problems(const BenchmarkPlan& plan,
+                                             std::span<const BenchmarkRun> runs) {
+    std::vector<Summary> summaries;
+    for (const Direction direction : plan.directions)
+        for (std::size_t planner = 0; planner < plan.planners.size(); ++planner)
+            if (auto summary = summary_of_row(plan, runs, std::nullopt, direction, planner))
+                summaries.push_back(*std::move(summary));
     return summaries;
 }
 

@@ -12,12 +12,13 @@
 
 namespace asv::core {
 
-/// One planner on one problem in one direction, all seeds. What a run costs and spends is told of
-/// the solved ones alone, the time to a solution of all of them.
+/// One planner in one direction, all seeds, on one problem or on several. What a run costs and
+/// spends is told of the solved ones alone, the time to a solution of all of them.
 struct Summary {
-    std::size_t problem = 0, planner = 0;  ///< indices into the plan
+    std::size_t problem = 0, planner = 0;  ///< indices into the plan; of several problems the first
     Direction direction = Direction::forward;
     std::size_t runs = 0, solved = 0;
+    std::size_t invalid = 0;       ///< runs whose path violates a requirement
     statistics::Interval success;  ///< confidence interval of the rate of solved runs, 0 to 1
     /// Seconds to the first path; a run that is not solved, for whatever reason, is censored at
     /// the time limit.
@@ -34,6 +35,11 @@ struct Summary {
 
 /// One for each problem, direction and planner of the plan that has runs, in that order.
 std::vector<Summary> summarise(const BenchmarkPlan& plan, std::span<const BenchmarkRun> runs);
+
+/// One for each direction and planner of the plan that has runs, in that order, of its runs on all
+/// problems. Costs of unlike problems have no median worth telling; their ratios have.
+std::vector<Summary> summarise_over_problems(const BenchmarkPlan& plan,
+                                             std::span<const BenchmarkRun> runs);
 
 /// Nodes of all trees of the run.
 std::size_t node_count(const BenchmarkRun& run);

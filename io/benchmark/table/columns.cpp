@@ -55,12 +55,16 @@ std::string median_cost(const Summary& summary) {
                          short_number(summary.median_cost.high));
 }
 
-constexpr std::array<Column, 24> catalogue{{
+constexpr std::array<Column, 25> catalogue{{
     {"solved", "solved",
      [](const Summary& row, double) {
          return std::to_string(row.solved) + " of " + std::to_string(row.runs);
      }},
     {"rate", "rate % (95 % CI)", [](const Summary& row, double) { return rate(row); }},
+    {"invalid", "invalid, of paths found",
+     [](const Summary& row, double) {
+         return std::to_string(row.invalid) + " of " + std::to_string(row.solved + row.invalid);
+     }},
     {"median-ms", "median ms (95 % CI)",
      [](const Summary& row, double) { return median_time(row, milliseconds); }},
     {"q25-ms", "25 % ms",

@@ -57,20 +57,6 @@ double bound_of(std::span<const Summary> summaries, std::size_t problem) {
     return bound;
 }
 
-TextTable empty_table(std::string title, std::string facts, const std::string& first_head,
-                      const Columns& columns) {
-    TextTable table{std::move(title), std::move(facts), 1, {first_head}, {}};
-    for (const Column& column : columns) table.heads.emplace_back(column.head);
-    return table;
-}
-
-std::vector<std::string> row(const std::string& label, const Summary& summary,
-                             const Columns& columns, double unit) {
-    std::vector<std::string> cells{label};
-    for (const Column& column : columns) cells.push_back(column.cell(summary, unit));
-    return cells;
-}
-
 /// A table for each problem and direction, a row for each planner.
 std::vector<TextTable> tables_of_problems(const BenchmarkReport& report, const Columns& columns) {
     const std::vector<Summary> summaries = core::summarise(report.plan, report.runs);
@@ -83,8 +69,8 @@ std::vector<TextTable> tables_of_problems(const BenchmarkReport& report, const C
                 problem.name + ", " + std::string(core::name(summary.direction)),
                 problem_facts(problem.problem, bound_of(summaries, summary.problem)) + ".",
                 "planner", columns));
-        tables.back().rows.push_back(row(report.plan.planners[summary.planner].label, summary,
-                                         columns, report.session.unit()));
+        tables.back().rows.push_back(summary_row(report.plan.planners[summary.planner].label,
+                                                 summary, columns, report.session.unit()));
         last = &summary;
     }
     return tables;
@@ -100,8 +86,8 @@ std::vector<TextTable> tables_of_planner(const BenchmarkReport& report, const Co
                         "", "problem", columns);
         for (const Summary& summary : summaries)
             if (summary.direction == direction)
-                table.rows.push_back(row(report.plan.problems[summary.problem].name, summary,
-                                         columns, report.session.unit()));
+                table.rows.push_back(summary_row(report.plan.problems[summary.problem].name,
+                                                 summary, columns, report.session.unit()));
         if (!table.rows.empty()) tables.push_back(std::move(table));
     }
     return tables;
@@ -130,12 +116,27 @@ std::vector<std::string> unsolved_lines(const BenchmarkReport& report) {
 
 }  // namespace
 
+TextTable empty_table(std::string title, std::string facts, const std::string& first_head,
+                      const Columns& columns) {
+    TextTable table{std::move(title), std::move(facts), 1, {first_head}, {}};
+    for (const Column& column : columns) table.heads.emplace_back(column.head);
+    return table;
+}
+
+std::vector<std::string> summary_row(const std::string& label, const Summary& summary,
+                                     const Columns& columns, double unit) {
+    std::vector<std::string> cells{label};
+    for (const Column& column : columns) cells.push_back(column.cell(summary, unit));
+    return cells;
+}
+
 ReportText report_text(const BenchmarkReport& report, const Columns& columns) {
     const bool one_planner = report.plan.planners.size() == 1;
     ReportText text{
         notes_of(report), spoilt_note(report.plan),
         one_planner ? tables_of_planner(report, columns) : tables_of_problems(report, columns),
         unsolved_lines(report)};
+    for (TextTable& overview : overview_tables(report)) text.tables.push_back(std::move(overview));
     if (TextTable comparisons = comparison_table(report); !comparisons.rows.empty())
         text.tables.push_back(std::move(comparisons));
     return text;

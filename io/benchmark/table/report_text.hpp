@@ -28,6 +28,18 @@ struct ReportText {
 
 ReportText report_text(const BenchmarkReport& report, const Columns& columns);
 
+/// A table with these columns behind the first, and no rows.
+TextTable empty_table(std::string title, std::string facts, const std::string& first_head,
+                      const Columns& columns);
+
+/// What stands first in the row, then its cells. The unit is seconds of 1 u.
+std::vector<std::string> summary_row(const std::string& label, const core::Summary& summary,
+                                     const Columns& columns, double unit);
+
+/// Each planner on all problems together, a table for each direction; none where there is but one
+/// problem.
+std::vector<TextTable> overview_tables(const BenchmarkReport& report);
+
 /// Every two planners, in a table without rows where there are no two.
 TextTable comparison_table(const BenchmarkReport& report);
 

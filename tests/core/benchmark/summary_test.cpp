@@ -66,6 +66,25 @@ TEST(Summarise, TheTimeToASolutionIsOfAllRuns) {
     EXPECT_GT(summary.success.high, 1.0 / 3);
 }
 
+TEST(Summarise, OverProblemsAllRunsOfAPlannerAreTogether) {
+    BenchmarkPlan plan = one_problem_two_planners();
+    plan.problems.resize(2);
+    plan.directions = {Direction::forward, Direction::reversed};
+    std::vector<BenchmarkRun> runs{
+        run_of(1, RunStatus::solved, 1, 6, 4), run_of(1, RunStatus::invalid, 2, 0, 4),
+        run_of(1, RunStatus::timeout, 0, 0, 4), run_of(1, RunStatus::solved, 7, 6, 4)};
+    runs[1].place.problem = runs[2].place.problem = 1;
+    runs[3].place.direction = Direction::reversed;
+    const std::vector<Summary> summaries = summarise_over_problems(plan, runs);
+    ASSERT_EQ(summaries.size(), 2U) << "one for each direction; the second planner has not run";
+    EXPECT_EQ(summaries[0].runs, 3U);
+    EXPECT_EQ(summaries[0].solved, 1U);
+    EXPECT_EQ(summaries[0].invalid, 1U);
+    EXPECT_EQ(summaries[1].direction, Direction::reversed);
+    EXPECT_EQ(summaries[1].runs, 1U);
+    EXPECT_DOUBLE_EQ(summaries[1].time_to_first.median, 7);
+}
+
 TEST(Summarise, WithoutABoundThereIsNoRatio) {
     EXPECT_FALSE(cost_ratio(run_of(1, RunStatus::solved, 1, 6, 0)));
     EXPECT_FALSE(cost_ratio(run_of(1, RunStatus::timeout, 1, 0, 4)));

@@ -46,8 +46,8 @@ TEST(LatexTable, EveryCaptionSaysThatTimesAreSpoilt) {
     BenchmarkReport report = test::sample_report();
     report.plan.jobs = 3;
     const std::string table = latex_table(report);
-    EXPECT_EQ(test::count(table, "\\caption{"), 5U);
-    EXPECT_EQ(test::count(table, "3 runs side by side: their times are spoilt.}"), 5U);
+    EXPECT_EQ(test::count(table, "\\caption{"), 7U);
+    EXPECT_EQ(test::count(table, "3 runs side by side: their times are spoilt.}"), 7U);
 }
 
 }  // namespace

@@ -51,6 +51,32 @@ TEST(Table, RowsHoldTheFiguresOfHand) {
         << table;
 }
 
+TEST(Table, TellsOfAllProblemsTogether) {
+    BenchmarkReport report = test::sample_report();
+    const std::string table = markdown_table(report);
+    // 1/64, 1/64, 3/64 and 3/64 s.
+    EXPECT_TRUE(test::contains(table, "### All 2 problems, forward\n")) << table;
+    EXPECT_TRUE(test::contains(
+        table,
+        "| auto | 4 of 4 | 100.0 (39.76, 100.0) | 0 of 4 | 31.25 (15.62, 46.88) | 46.88 | "
+        "31.25 | 1.250 |\n"))
+        << table;
+
+    for (core::BenchmarkRun& run : report.runs)
+        if (run.place == core::RunPlace{1, 0, core::Direction::forward, 4})
+            run.status = core::RunStatus::invalid;
+    EXPECT_TRUE(
+        test::contains(markdown_table(report), "| auto | 3 of 4 | 75.00 (19.41, 99.37) | 1 of 4 |"))
+        << markdown_table(report);
+}
+
+TEST(Table, OfOneProblemIsNoOverview) {
+    BenchmarkReport report = test::sample_report();
+    report.plan.problems.pop_back();
+    std::erase_if(report.runs, [](const auto& run) { return run.place.problem == 1; });
+    EXPECT_FALSE(test::contains(markdown_table(report), "problems, forward"));
+}
+
 TEST(Table, NamesBeginNoColumnsLinksOrLines) {
     BenchmarkReport report = test::sample_report();
     report.plan.planners[1].label = "a\\|b\n![x](y) <i> `c` \x1b[31m";
