@@ -137,6 +137,11 @@ void add_output_options(CLI::App& app, BenchOutputs& outputs) {
     app.add_option("--theme", outputs.theme, "Colours of the plots: light or dark")
         ->check(CLI::IsMember({"light", "dark"}))
         ->capture_default_str();
+    app.add_option("--layout", outputs.layout,
+                   "Of the plots: wide, or column for a column of print, 8 or 9 cm, whose caption "
+                   "says what the heading of a wide one does")
+        ->check(CLI::IsMember({"wide", "column"}))
+        ->capture_default_str();
 }
 
 void complete(BenchOutputs& outputs) {
@@ -186,9 +191,11 @@ void write_results(const BenchOutputs& outputs, const io::BenchmarkReport& repor
     };
     for (const Output& output : results_for(outputs, report)) write(output);
     const io::Theme theme = outputs.theme == "dark" ? io::Theme::dark : io::Theme::light;
+    const io::PlotLayout layout =
+        outputs.layout == "column" ? io::PlotLayout::column : io::PlotLayout::wide;
     for (const BenchOutputs::Plots& plots : outputs.plots)
         for (const path& file : plots.files)
-            write({file, plots.draw(report, format_of(file, plots.option), theme)});
+            write({file, plots.draw(report, format_of(file, plots.option), theme, layout)});
 }
 
 }  // namespace asv::tools

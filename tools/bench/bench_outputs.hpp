@@ -20,7 +20,8 @@ struct BenchOutputs {
     /// A kind of picture and its files.
     struct Plots {
         const char* option;
-        std::string (*draw)(const io::BenchmarkReport&, io::PictureFormat, io::Theme);
+        std::string (*draw)(const io::BenchmarkReport&, io::PictureFormat, io::Theme,
+                            io::PlotLayout);
         std::vector<std::filesystem::path> files;
     };
     std::array<Plots, 4> plots{{{"--plot", io::draw_benchmark, {}},
@@ -29,6 +30,7 @@ struct BenchOutputs {
                                 {"--parameter-plot", io::draw_parameter, {}}}};
     std::string parameter;        ///< of the problems, to draw curves over; empty for none
     std::string theme = "light";  ///< of the plots
+    std::string layout = "wide";  ///< of the plots
     io::Columns columns = io::default_columns();
 };
 

@@ -156,7 +156,7 @@ CurvePanel cost_panel(const core::BenchmarkPlan& plan, Runs task) {
     panel.title = task_title(plan, task);
     panel.facts = problem_facts(problem.problem, bound);
     panel.caption = std::string("cost of the best path") + (bound > 0 ? " / least possible" : "") +
-                    ": median and quartiles of the runs";
+                    ": median, quartiles";
     panel.name = "time of the run";
     panel.curves = cost_curves(task, times, bound > 0 ? bound : 1);
     panel.x = time_axis(times.front(), times.back(), 0, 1);
@@ -174,7 +174,7 @@ CurvePanel profile_panel(const BenchmarkReport& report) {
         if (!profile.factors.empty()) greatest = std::max(greatest, profile.factors.back());
     CurvePanel panel;
     panel.caption = "share of problems and directions";
-    panel.name = "median time to the first path / that of the best planner, at most";
+    panel.name = "median time / that of the best planner, at most";
     panel.x = time_axis(1, greatest, 0, 1);
     panel.x_ticks = factor_ticks(panel.x);
     set_shares(panel);

@@ -13,31 +13,40 @@ namespace {
 using geometry::Box;
 using geometry::Point;
 
-// In points.
+// In points. The names are beside the field, or in a column below it.
 constexpr double field_right = 660, names_left = 690;
 constexpr double min_height = 200, name_height = 26;
+constexpr double names_below = 60, column_name_height = 20;
 
 /// Of the field.
-double height_for(std::size_t curves) {
+double field_height(std::size_t curves, PlotLayout layout) {
+    if (layout == PlotLayout::column) return min_height;
     return std::max(min_height, name_height * static_cast<double>(curves) + 14);
 }
 
-double height_of(const CurvePanel& panel) {
-    return height_for(panel.curves.size());
+/// Of all of the panel.
+double height_for(std::size_t curves, PlotLayout layout) {
+    const double names =
+        layout == PlotLayout::column ? column_name_height * static_cast<double>(curves) : 0;
+    return panel_top + field_height(curves, layout) + panel_bottom + names;
 }
 
 /// Draws one panel.
 class PanelPainter {
   public:
     PanelPainter(Canvas& canvas, const BenchmarkReport& report, Theme theme,
-                 const CurvePanel& panel, double top)
+                 const CurvePanel& panel, double top, PlotLayout layout)
         : canvas_(canvas),
           report_(report),
           theme_(theme),
           colours_(palette(theme)),
           panel_(panel),
           top_(top),
-          field_{{page_left, top + panel_top}, {field_right, top + panel_top + height_of(panel)}},
+          layout_(layout),
+          page_(page_measures(layout)),
+          field_{{page_.left, top + panel_top},
+                 {layout == PlotLayout::column ? page_.right : field_right,
+                  top + panel_top + field_height(panel.curves.size(), layout)}},
           x_(panel.x),
           y_(panel.y) {
         x_.from = field_.low.x, x_.to = field_.high.x;
@@ -46,12 +55,13 @@ class PanelPainter {
 
     void draw() {
         const TextStyle small{colours_.muted, tick_size};
-        draw_panel_title(canvas_, colours_, panel_.title, panel_.facts, top_);
-        canvas_.text({page_left, field_.low.y - 10}, panel_.caption, small);
+        draw_panel_title(canvas_, colours_, panel_.title, panel_.facts, top_, layout_);
+        canvas_.text({page_.words, field_.low.y - 10}, panel_.caption, small);
         canvas_.fill_boxes(std::span(&field_, 1), colours_.field);
         draw_level_ticks(canvas_, colours_, field_, y_, panel_.y_ticks);
         draw_upright_ticks(canvas_, colours_, field_, x_, panel_.x_ticks);
-        canvas_.text({(field_.low.x + field_.high.x) / 2, field_.high.y + 35}, panel_.name,
+        canvas_.text({(field_.low.x + field_.high.x) / 2, field_.high.y + 35},
+                     shortened(canvas_, panel_.name, small, field_.high.x - field_.low.x),
                      {colours_.muted, tick_size, false, Align::centre});
         canvas_.push_clip(field_);
         for (const Curve& curve : panel_.curves) draw_band(curve);
@@ -89,14 +99,19 @@ class PanelPainter {
 
     void draw_name(std::size_t row) {
         const std::size_t planner = panel_.curves[row].planner;
-        const double y = field_.low.y + 22 + name_height * static_cast<double>(row);
+        const Point at = name_place(static_cast<double>(row));
         const TextStyle style{colours_.ink, text_size};
         const std::string label = report_.plan.planners[planner].label +
                                   (panel_.curves[row].line.empty() ? " (no curve)" : "");
-        draw_mark(canvas_, planner, {names_left, y}, 4.5, planner_colour(planner, theme_), false,
-                  colours_.page);
-        canvas_.text({names_left + 14, y + 4.5},
-                     shortened(canvas_, label, style, page_right - names_left - 14), style);
+        draw_mark(canvas_, planner, at, 4.5, planner_colour(planner, theme_), false, colours_.page);
+        canvas_.text({at.x + 14, at.y + 4.5},
+                     shortened(canvas_, label, style, page_.right - at.x - 14), style);
+    }
+
+    Point name_place(double row) const {
+        if (layout_ == PlotLayout::column)
+            return {page_.left + 8, field_.high.y + names_below + column_name_height * row};
+        return {names_left, field_.low.y + 22 + name_height * row};
     }
 
     Canvas& canvas_;
@@ -105,30 +120,34 @@ class PanelPainter {
     const Palette& colours_;
     const CurvePanel& panel_;
     double top_;
+    PlotLayout layout_;
+    PageMeasures page_;
     Box field_;
     Axis x_, y_;
 };
 
 }  // namespace
 
-std::size_t curve_panels_on_page(std::size_t curves) {
-    const double room = greatest_page - header_height - 16;
-    const double each = panel_top + height_for(curves) + panel_bottom;
+std::size_t curve_panels_on_page(std::size_t curves, PlotLayout layout) {
+    const double room = greatest_page - greatest_header - below_panels;
+    const double each = height_for(curves, layout);
     return std::max<std::size_t>(1, static_cast<std::size_t>(room / each));
 }
 
 std::string draw_curve_panels(const BenchmarkReport& report, const std::string& title,
-                              std::span<const CurvePanel> panels, PictureFormat format,
-                              Theme theme) {
-    double height = header_height + 16;
-    for (const CurvePanel& panel : panels) height += panel_top + height_of(panel) + panel_bottom;
-    Canvas canvas(format, page_width, height, 2);
+                              std::span<const CurvePanel> panels, PictureFormat format, Theme theme,
+                              PlotLayout layout) {
+    const auto height_of = [&](const CurvePanel& panel) {
+        return height_for(panel.curves.size(), layout);
+    };
+    double top = header_height(report, layout), height = top + below_panels;
+    for (const CurvePanel& panel : panels) height += height_of(panel);
+    Canvas canvas(format, page_measures(layout).width, height, 2);
     canvas.fill_all(palette(theme).page);
-    draw_header(canvas, palette(theme), report, title);
-    double top = header_height;
+    draw_header(canvas, palette(theme), report, title, layout);
     for (const CurvePanel& panel : panels) {
-        PanelPainter(canvas, report, theme, panel, top).draw();
-        top += panel_top + height_of(panel) + panel_bottom;
+        PanelPainter(canvas, report, theme, panel, top, layout).draw();
+        top += height_of(panel);
     }
     return canvas.finish(title, plan_facts(report.plan));
 }

@@ -82,13 +82,13 @@ std::vector<CurvePanel> parameter_panels(const BenchmarkReport& report) {
     const auto curves = core::parameter_curves(report.plan, report.runs, report.parameter);
     CurvePanel times = empty_panel(curves, report.parameter), shares = times;
     times.title = "Time";
-    times.caption = "median time to the first path, with its 95 % confidence interval";
+    times.caption = "median time to the first path, 95 % interval";
     for (const ParameterCurve& curve : curves) times.curves.push_back(time_curve(curve));
     times.y = times_around(times.curves, report.plan.time_limit);
     times.y_is = Quantity::seconds;
     times.y_ticks = time_ticks(times.y);
     shares.title = "Success";
-    shares.caption = "share of runs solved, with its 95 % confidence interval";
+    shares.caption = "share of runs solved, 95 % interval";
     for (const ParameterCurve& curve : curves) shares.curves.push_back(share_curve(curve));
     set_shares(shares);
     return {times, shares};

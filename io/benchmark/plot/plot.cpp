@@ -21,17 +21,47 @@ using geometry::Point;
 using geometry::Segment;
 
 // In points.
-constexpr double times_right = 500;
-constexpr double names_left = 526, costs_left = 690;
-constexpr double min_height = 150, row_height = 26, second_row = 16;
+constexpr double times_height = 150, row_height = 26, second_row = 16;
+constexpr double ticks_height = 34;  // below costs
+constexpr double legend_height = 24;
 
 /// One row for each planner; two where both directions ran.
-double height_of(const PlotPanel& panel) {
+double rows_height(const PlotPanel& panel) {
     double height = 14;
     for (std::size_t i = 0; i < panel.series.size(); ++i)
         height += i > 0 && panel.series[i - 1].planner == panel.series[i].planner ? second_row
                                                                                   : row_height;
-    return std::max(min_height, height);
+    return height;
+}
+
+/// The parts of a panel on the page.
+struct Parts {
+    Box times, costs;
+    double names_left;
+    double bottom;
+};
+
+/// Costs are beside the times, or in a column below them.
+Parts parts_of(const PlotPanel& panel, double top, PlotLayout layout) {
+    const PageMeasures page = page_measures(layout);
+    const double high = top + panel_top;
+    if (layout == PlotLayout::column) {
+        const double low = high + times_height;
+        const double costs_high = low + panel_bottom + 14,
+                     costs_low = costs_high + rows_height(panel);
+        return {{{page.left, high}, {page.right, low}},
+                {{150, costs_high}, {page.right, costs_low}},
+                page.words + 6,
+                costs_low + ticks_height};
+    }
+    const double low = high + std::max(times_height, rows_height(panel));
+    return {
+        {{page.left, high}, {500, low}}, {{690, high}, {page.right, low}}, 526, low + panel_bottom};
+}
+
+/// Of the ticks below costs: in a column there is room for a few.
+double cost_steps(PlotLayout layout) {
+    return layout == PlotLayout::column ? 3 : most_cost_steps;
 }
 
 bool both_directions(const BenchmarkReport& report) {
@@ -41,26 +71,30 @@ bool both_directions(const BenchmarkReport& report) {
 /// Draws the panels one below the other.
 class Plotter {
   public:
-    Plotter(const BenchmarkReport& report, Canvas& canvas, Theme theme)
-        : report_(report), canvas_(canvas), theme_(theme), colours_(palette(theme)) {}
+    Plotter(const BenchmarkReport& report, Canvas& canvas, Theme theme, PlotLayout layout)
+        : report_(report),
+          canvas_(canvas),
+          theme_(theme),
+          layout_(layout),
+          colours_(palette(theme)) {}
 
     void header() {
         const core::BenchmarkPlan& plan = report_.plan;
         draw_header(canvas_, colours_, report_,
                     plural(plan.planners.size(), "planner") + " on " +
-                        plural(plan.problems.size(), "problem"));
+                        plural(plan.problems.size(), "problem"),
+                    layout_);
         if (both_directions(report_)) direction_legend();
     }
 
     void panel(const PlotPanel& panel, const Axis& times, double top) {
-        const double height = height_of(panel);
-        draw_panel_title(canvas_, colours_, panel.title, panel.facts, top);
-        const double high = top + panel_top, low = high + height;
-        caption({page_left, high - 10}, "share of runs solved");
-        caption({costs_left, high - 10},
+        const Parts parts = parts_of(panel, top, layout_);
+        draw_panel_title(canvas_, colours_, panel.title, panel.facts, top, layout_);
+        caption({page_measures(layout_).words, parts.times.low.y - 10}, "share of runs solved");
+        caption({parts.costs.low.x, parts.costs.low.y - 10},
                 panel.relative ? "cost of the path / least possible" : "cost of the path");
-        draw_times(panel, times, {{page_left, high}, {times_right, low}});
-        draw_costs(panel, {{costs_left, high}, {page_right, low}});
+        draw_times(panel, times, parts.times);
+        draw_costs(panel, parts.costs, parts.names_left);
     }
 
   private:
@@ -73,10 +107,13 @@ class Plotter {
     }
 
     void direction_legend() {
-        const double y = 58;
+        const bool column = layout_ == PlotLayout::column;
+        const double y = column ? header_height(report_, layout_) + 14 : 58;
+        const double left =
+            column ? page_measures(layout_).left : page_measures(layout_).right - 212;
         for (const Direction direction : report_.plan.directions) {
             const bool reversed = direction == Direction::reversed;
-            const double x = reversed ? page_right - 96 : page_right - 212;
+            const double x = reversed ? left + 116 : left;
             const Segment line{{x, y}, {x + 30, y}};
             canvas_.stroke_segments(std::span(&line, 1), stroke(colours_.ink, direction));
             draw_mark(canvas_, 0, {x + 15, y}, 3.6, colours_.ink, reversed, colours_.page);
@@ -135,7 +172,7 @@ class Plotter {
                   series.direction == Direction::reversed, colours_.field);
     }
 
-    void draw_costs(const PlotPanel& panel, const Box& box) {
+    void draw_costs(const PlotPanel& panel, const Box& box, double names_left) {
         frame(box);
         double least = panel.relative ? 1 : HUGE_VAL, greatest = panel.relative ? 1.02 : -HUGE_VAL;
         for (const PlotSeries& series : panel.series)
@@ -145,24 +182,22 @@ class Plotter {
             }
         if (least > greatest) least = 0, greatest = 1;
         const Axis costs = cost_axis(least, greatest, box.low.x, box.high.x);
-        draw_upright_ticks(canvas_, colours_, box, costs, cost_ticks(costs));
+        draw_upright_ticks(canvas_, colours_, box, costs, cost_ticks(costs, cost_steps(layout_)));
         double y = box.low.y + 22;
         for (std::size_t i = 0; i < panel.series.size(); ++i) {
             const PlotSeries& series = panel.series[i];
             const bool second = i > 0 && panel.series[i - 1].planner == series.planner;
             if (i > 0) y += second ? second_row : row_height;
-            if (!second) draw_name(series.planner, y);
+            if (!second) draw_name(series.planner, {names_left, y}, box.low.x);
             draw_row(series, costs, y);
         }
     }
 
-    void draw_name(std::size_t planner, double y) {
+    void draw_name(std::size_t planner, const Point& at, double right) {
         const TextStyle style{colours_.ink, text_size};
-        draw_mark(canvas_, planner, {names_left, y}, 4.5, planner_colour(planner, theme_), false,
-                  colours_.page);
-        write({names_left + 14, y + 4.5},
-              shortened(canvas_, report_.plan.planners[planner].label, style,
-                        costs_left - names_left - 24),
+        draw_mark(canvas_, planner, at, 4.5, planner_colour(planner, theme_), false, colours_.page);
+        write({at.x + 14, at.y + 4.5},
+              shortened(canvas_, report_.plan.planners[planner].label, style, right - at.x - 24),
               style);
     }
 
@@ -190,12 +225,14 @@ class Plotter {
     const BenchmarkReport& report_;
     Canvas& canvas_;
     Theme theme_;
+    PlotLayout layout_;
     const Palette& colours_;
 };
 
 /// One axis for all panels, so that they can be compared; to the time limit where a run was not
 /// solved.
-Axis common_times(const BenchmarkReport& report, std::span<const PlotPanel> panels) {
+Axis common_times(const BenchmarkReport& report, std::span<const PlotPanel> panels,
+                  PlotLayout layout) {
     double least = HUGE_VAL, greatest = 0;
     for (const PlotPanel& panel : panels)
         for (const PlotSeries& series : panel.series) {
@@ -205,29 +242,38 @@ Axis common_times(const BenchmarkReport& report, std::span<const PlotPanel> pane
             greatest = std::max(greatest, series.times.back());
         }
     greatest = std::clamp(greatest, 1e-6, 1e9);
-    return time_axis(std::clamp(least, 1e-6, greatest), greatest, page_left, times_right);
+    const Box times = parts_of({}, 0, layout).times;
+    return time_axis(std::clamp(least, 1e-6, greatest), greatest, times.low.x, times.high.x);
 }
 
-double page_height(std::span<const PlotPanel> panels) {
-    double height = header_height + 16;
-    for (const PlotPanel& panel : panels) height += panel_top + height_of(panel) + panel_bottom;
-    return height;
+/// Where the first panel begins.
+double panels_top(const BenchmarkReport& report, PlotLayout layout) {
+    const bool legend = layout == PlotLayout::column && both_directions(report);
+    return header_height(report, layout) + (legend ? legend_height : 0);
+}
+
+double page_height(const BenchmarkReport& report, std::span<const PlotPanel> panels,
+                   PlotLayout layout) {
+    double bottom = panels_top(report, layout);
+    for (const PlotPanel& panel : panels) bottom = parts_of(panel, bottom, layout).bottom;
+    return bottom + below_panels;
 }
 
 }  // namespace
 
-std::string draw_benchmark(const BenchmarkReport& report, PictureFormat format, Theme theme) {
+std::string draw_benchmark(const BenchmarkReport& report, PictureFormat format, Theme theme,
+                           PlotLayout layout) {
     std::vector<PlotPanel> panels = plot_panels(report, report.plan.problems.size());
-    if (page_height(panels) > greatest_page) panels = plot_panels(report, 0);
-    Canvas canvas(format, page_width, page_height(panels), 2);
+    if (page_height(report, panels, layout) > greatest_page) panels = plot_panels(report, 0);
+    Canvas canvas(format, page_measures(layout).width, page_height(report, panels, layout), 2);
     canvas.fill_all(palette(theme).page);
-    Plotter plotter(report, canvas, theme);
+    Plotter plotter(report, canvas, theme, layout);
     plotter.header();
-    const Axis times = common_times(report, panels);
-    double top = header_height;
+    const Axis times = common_times(report, panels, layout);
+    double top = panels_top(report, layout);
     for (const PlotPanel& panel : panels) {
         plotter.panel(panel, times, top);
-        top += panel_top + height_of(panel) + panel_bottom;
+        top = parts_of(panel, top, layout).bottom;
     }
     return canvas.finish("Benchmark: share of runs solved over time, and costs",
                          plan_facts(report.plan));

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "io/benchmark/plot/plot_layout.hpp"
 #include "io/benchmark/report.hpp"
 #include "io/drawing/paint/canvas.hpp"
 #include "io/drawing/paint/palette.hpp"
@@ -13,6 +14,7 @@ namespace asv::io {
 /// dot for each run, with quartiles and median. Planners are told apart by colour and by mark,
 /// directions by full and broken lines, full and hollow marks. With more problems than fit on a
 /// page, all of them together. Throws std::runtime_error when cairo fails.
-std::string draw_benchmark(const BenchmarkReport& report, PictureFormat format, Theme theme);
+std::string draw_benchmark(const BenchmarkReport& report, PictureFormat format, Theme theme,
+                           PlotLayout layout = PlotLayout::wide);
 
 }  // namespace asv::io

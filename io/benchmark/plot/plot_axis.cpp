@@ -90,8 +90,8 @@ Axis cost_axis(double least, double greatest, double from, double to) {
     return {least - room, greatest + room, from, to, false};
 }
 
-std::vector<Tick> cost_ticks(const Axis& axis) {
-    const double step = round_up((axis.high - axis.low) / 5);
+std::vector<Tick> cost_ticks(const Axis& axis, double most_steps) {
+    const double step = round_up((axis.high - axis.low) / most_steps);
     std::vector<Tick> ticks;
     for (double k = std::ceil(axis.low / step); k * step <= axis.high; ++k)
         ticks.push_back({k * step, tidy(k * step)});

@@ -35,7 +35,8 @@ std::vector<Tick> share_ticks();
 /// An axis whose ends enclose the given ones with some room. Precondition: least <= greatest.
 Axis cost_axis(double least, double greatest, double from, double to);
 
-/// Three to six round numbers.
-std::vector<Tick> cost_ticks(const Axis& axis);
+/// Round numbers with no more than so many steps between them.
+inline constexpr double most_cost_steps = 5;
+std::vector<Tick> cost_ticks(const Axis& axis, double most_steps = most_cost_steps);
 
 }  // namespace asv::io

@@ -17,28 +17,54 @@ void grid_line(Canvas& canvas, const Palette& colours, const Point& a, const Poi
     canvas.stroke_segments(std::span(&line, 1), {colours.grid, 1});
 }
 
+/// Why the picture is not to be taken as it is; empty where it may be.
+std::string warning_of(const BenchmarkReport& report) {
+    std::string text = spoilt_note(report.plan);
+    if (!report.complete()) text += text.empty() ? "Interrupted." : " Interrupted.";
+    return text;
+}
+
 }  // namespace
 
+PageMeasures page_measures(PlotLayout layout) {
+    if (layout == PlotLayout::column) return {360, 8, 54, 336};
+    return {960, 64, 64, 924};
+}
+
+double header_height(const BenchmarkReport& report, PlotLayout layout) {
+    if (layout == PlotLayout::wide) return greatest_header;
+    return warning_of(report).empty() ? 0 : 20;
+}
+
 void draw_header(Canvas& canvas, const Palette& colours, const BenchmarkReport& report,
-                 const std::string& title) {
-    canvas.text({page_left, 38}, title, {colours.ink, 20, true});
-    canvas.text({page_left, 62},
-                plan_facts(report.plan) + (report.complete() ? "" : "; interrupted"),
+                 const std::string& title, PlotLayout layout) {
+    const double left = page_measures(layout).words;
+    if (layout == PlotLayout::column) {
+        canvas.text({left, 18}, warning_of(report), {colours.violation, tick_size});
+        return;
+    }
+    canvas.text({left, 38}, title, {colours.ink, 20, true});
+    canvas.text({left, 62}, plan_facts(report.plan) + (report.complete() ? "" : "; interrupted"),
                 {colours.muted, text_size});
-    canvas.text({page_left, 82},
+    canvas.text({left, 82},
                 "1 u = " + short_number(1000 * report.session.unit()) +
                     " ms, the time of 10\u2076 scalar state checks of 7 ASVs on this machine",
                 {colours.muted, text_size});
     if (const std::string spoilt = spoilt_note(report.plan); !spoilt.empty())
-        canvas.text({page_left, 100}, spoilt, {colours.violation, text_size});
+        canvas.text({left, 100}, spoilt, {colours.violation, text_size});
 }
 
 void draw_panel_title(Canvas& canvas, const Palette& colours, const std::string& title,
-                      const std::string& facts, double top) {
+                      const std::string& facts, double top, PlotLayout layout) {
+    const PageMeasures page = page_measures(layout);
     const TextStyle style{colours.ink, 15, true};
-    canvas.text({page_left, top + 20}, title, style);
-    canvas.text({page_left + canvas.text_width(title, style) + 12, top + 20}, facts,
-                {colours.muted, text_size});
+    const std::string shown = shortened(canvas, title, style, page.right - page.words);
+    canvas.text({page.words, top + 20}, shown, style);
+    if (layout == PlotLayout::column) return;
+    const TextStyle small{colours.muted, text_size};
+    const double facts_left = page.words + canvas.text_width(shown, style) + 12;
+    canvas.text({facts_left, top + 20}, shortened(canvas, facts, small, page.right - facts_left),
+                small);
 }
 
 void draw_upright_ticks(Canvas& canvas, const Palette& colours, const Box& field, const Axis& axis,

@@ -4,6 +4,7 @@
 
 #include "geometry/primitives.hpp"
 #include "io/benchmark/plot/plot_axis.hpp"
+#include "io/benchmark/plot/plot_layout.hpp"
 #include "io/benchmark/report.hpp"
 #include "io/drawing/paint/canvas.hpp"
 #include "io/drawing/paint/palette.hpp"
@@ -12,21 +13,32 @@
 
 namespace asv::io {
 
-// In points.
-inline constexpr double page_width = 960, page_left = 64, page_right = 924;
-inline constexpr double header_height = 104, text_size = 13.5, tick_size = 11.5;
+// In points. In a column of 8 cm, on a page of 360, letters are 7 to 9 points high.
+inline constexpr double text_size = 13.5, tick_size = 11.5;
 /// Above the field of a panel, for its title and caption; below it, for the ticks and their name.
 inline constexpr double panel_top = 54, panel_bottom = 58;
+inline constexpr double greatest_header = 104, below_panels = 16;
 /// An image of cairo has no more than 32767 pixels: two for each point.
 inline constexpr double greatest_page = 16000;
 
-/// The title, how the benchmark was run, and what spoilt its times.
-void draw_header(Canvas& canvas, const Palette& colours, const BenchmarkReport& report,
-                 const std::string& title);
+/// Where things are across the page of a layout.
+struct PageMeasures {
+    double width;
+    double words;        ///< where titles and captions begin
+    double left, right;  ///< of what has ticks to its left, and where everything ends
+};
+PageMeasures page_measures(PlotLayout layout);
 
-/// Title and facts of a panel that begins at this height of the page.
+/// Of what is above the first panel.
+double header_height(const BenchmarkReport& report, PlotLayout layout);
+
+/// What spoilt the times; in a wide layout the title and how the benchmark was run as well.
+void draw_header(Canvas& canvas, const Palette& colours, const BenchmarkReport& report,
+                 const std::string& title, PlotLayout layout);
+
+/// Title and, in a wide layout, facts of a panel that begins at this height of the page.
 void draw_panel_title(Canvas& canvas, const Palette& colours, const std::string& title,
-                      const std::string& facts, double top);
+                      const std::string& facts, double top, PlotLayout layout);
 
 /// A line across the field for each tick, its label below the field or to the left of it.
 void draw_upright_ticks(Canvas& canvas, const Palette& colours, const geometry::Box& field,

@@ -43,6 +43,8 @@ TEST(TimeAxis, OfOneTimeHasAnExtent) {
 TEST(CostAxis, HasRoundTicks) {
     EXPECT_EQ(labels(cost_ticks(cost_axis(1, 1.9, 0, 1))),
               (std::vector<std::string>{"1", "1.2", "1.4", "1.6", "1.8"}));
+    EXPECT_EQ(labels(cost_ticks(cost_axis(1, 1.9, 0, 1), 3)),
+              (std::vector<std::string>{"1", "1.5"}));
     const Axis single = cost_axis(3, 3, 0, 1);
     EXPECT_LT(single.low, single.high);
 }
@@ -89,9 +91,11 @@ TEST(CurvePlots, AreDrawnInEveryFormat) {
     BenchmarkReport report = test::sample_report();
     report.plan.jobs = 3;
     for (const auto draw : {draw_profiles, draw_costs_over_time}) {
-        EXPECT_TRUE(draw(report, PictureFormat::png, Theme::dark).starts_with("\x89PNG"));
-        EXPECT_TRUE(draw(report, PictureFormat::pdf, Theme::light).starts_with("%PDF"));
-        const std::string svg = draw(report, PictureFormat::svg, Theme::light);
+        EXPECT_TRUE(
+            draw(report, PictureFormat::png, Theme::dark, PlotLayout::wide).starts_with("\x89PNG"));
+        EXPECT_TRUE(
+            draw(report, PictureFormat::pdf, Theme::light, PlotLayout::wide).starts_with("%PDF"));
+        const std::string svg = draw(report, PictureFormat::svg, Theme::light, PlotLayout::wide);
         for (const char* words : {"swaps|1", "their times are spoilt"})
             EXPECT_NE(svg.find(words), std::string::npos) << words;
     }
@@ -99,11 +103,51 @@ TEST(CurvePlots, AreDrawnInEveryFormat) {
     EXPECT_NE(svg.find("<title>Performance profiles"), std::string::npos);
 }
 
+/// Its caption has what the heading says, but for what spoils the times.
+TEST(PlotsInAColumn, AreNarrowAndWithoutAHeading) {
+    BenchmarkReport report = test::sample_report();
+    report.plan.jobs = 3;
+    for (const auto draw : {draw_benchmark, draw_profiles, draw_costs_over_time}) {
+        const std::string svg = draw(report, PictureFormat::svg, Theme::light, PlotLayout::column);
+        EXPECT_NE(svg.find("width=\"360"), std::string::npos) << svg.substr(0, 300);
+        for (const char* words : {">auto<", "their times are spoilt"})
+            EXPECT_NE(svg.find(words), std::string::npos) << words;
+        EXPECT_EQ(svg.find(">1 u = "), std::string::npos);
+    }
+}
+
+TEST(PlotsInAColumn, SayWhichLinesAreReversed) {
+    const std::string svg =
+        draw_benchmark(test::sample_report(), PictureFormat::svg, Theme::light, PlotLayout::column);
+    EXPECT_NE(svg.find(">reversed<"), std::string::npos);
+}
+
+TEST(PlotsInAColumn, SayHowManyOfTheirProblemsAreShown) {
+    BenchmarkReport report = test::sample_report();
+    for (std::size_t problem = 2; problem < 60; ++problem) {
+        report.plan.problems.push_back(report.plan.problems[0]);
+        report.runs.push_back(report.runs[0]);
+        report.runs.back().place.problem = problem;
+    }
+    const std::string svg =
+        draw_costs_over_time(report, PictureFormat::svg, Theme::light, PlotLayout::column);
+    EXPECT_NE(svg.find(" of 62 problems)"), std::string::npos);
+}
+
+TEST(PlotsInAColumn, SayThatTheBenchmarkWasInterrupted) {
+    BenchmarkReport report = test::sample_report();
+    report.runs.pop_back();
+    EXPECT_NE(draw_profiles(report, PictureFormat::svg, Theme::light, PlotLayout::column)
+                  .find("Interrupted."),
+              std::string::npos);
+}
+
 TEST(CurvePlots, PlannersWithoutASolutionAreNamed) {
     BenchmarkReport report = test::sample_report();
     for (core::BenchmarkRun& run : report.runs) run.status = core::RunStatus::timeout;
     for (const auto draw : {draw_profiles, draw_costs_over_time})
-        EXPECT_NE(draw(report, PictureFormat::svg, Theme::light).find("auto (no curve)"),
+        EXPECT_NE(draw(report, PictureFormat::svg, Theme::light, PlotLayout::wide)
+                      .find("auto (no curve)"),
                   std::string::npos);
 }
 
