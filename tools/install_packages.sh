@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that the project needs: install_packages.sh [build|test|ci|python|ompl|mpi|package|
-# package_test|site|playground|fuzz]. "build" is what the libraries and programs need, "test" adds what the tests need,
+# package_test|site|tex|playground|fuzz]. "build" is what the libraries and programs need, "test" adds what the tests need,
 # "ci" the second compiler as well; "python" is "build" and what the Python module and its tests need; "ompl" is "build" and OMPL;
 # "mpi" is "build" and what ASV_BUILD_MPI needs;
 # "package" is "build" and what makes Debian packages, "package_test" what tries them as well; "site" is
-# what tools/site.sh needs, with what it takes to configure the project; "playground" is what tools/playground.sh needs to
+# what tools/site.sh needs, with what it takes to configure the project; "tex" is what
+# puts tables and figures of asv-bench into a page of LaTeX, with "build"; "playground" is what tools/playground.sh needs to
 # compile the planner for a browser; "fuzz" is "build" and what tools/fuzz.sh needs.
 set -euo pipefail
 
@@ -63,6 +64,11 @@ site_packages=(
     python3-sphinx python3-myst-parser furo # pages
     doxygen python3-breathe                 # the reference of the public headers
 )
+tex_packages=(
+    texlive-latex-base             # pdflatex
+    texlive-latex-recommended      # booktabs
+    poppler-utils                  # what is in a PDF: fonts, pictures, text
+)
 playground_packages=(
     emscripten                     # a compiler for WebAssembly
     libstb-dev                     # reads PNG pictures there
@@ -81,6 +87,7 @@ case "$what" in
     ompl) packages+=("${ompl_packages[@]}") ;;
     mpi) packages+=("${mpi_packages[@]}") ;;
     site) packages+=("${site_packages[@]}") ;;
+    tex) packages+=("${tex_packages[@]}") ;;
     playground) packages+=("${playground_packages[@]}") ;;
     fuzz) packages+=("${fuzz_packages[@]}") ;;
 esac
