@@ -4,9 +4,9 @@
 # "ci" the second compiler as well; "python" is "build" and what the Python module and its tests need; "ompl" is "build" and OMPL;
 # "mpi" is "build" and what ASV_BUILD_MPI needs;
 # "package" is "build" and what makes Debian packages, "package_test" what tries them as well; "site" is
-# what tools/site.sh needs, with what it takes to configure the project; "tex" is what
-# puts tables and figures of asv-bench into a page of LaTeX, with "build"; "playground" is what tools/playground.sh needs to
-# compile the planner for a browser; "fuzz" is "build" and what tools/fuzz.sh needs.
+# what tools/site.sh needs, with what it takes to configure the project; "tex" is "build" and what puts tables
+# and figures of asv-bench into a page of LaTeX; "playground" is what tools/playground.sh needs to compile the
+# planner for a browser; "fuzz" is "build" and what tools/fuzz.sh needs.
 set -euo pipefail
 
 build_packages=(

@@ -29,18 +29,21 @@ cp "$root/testcases/3ASV.txt" 'a_b&50%#1{x}.txt'
 cp "$root/testcases/3ASV-x4.txt" 'tilde~^$2\y.txt'
 "$programs/asv-bench" 'a_b&50%#1{x}.txt' 'tilde~^$2\y.txt' --planner 'fast_1 & 100%: auto' \
     --planner '#2 \input{x} _{$y^2$} ~ with a name that is long: rrt-connect' \
-    --seeds 2 --time-limit 2 --optimize 0.02 --quiet --layout column --table table.tex --json runs.json \
+    --seeds 2 --time-limit 20 --optimize 0.02 --quiet --layout column --table table.tex --json runs.json \
     --plot shares.pdf --profile profile.pdf --anytime anytime.pdf \
     --parameter obstacles --parameter-plot obstacles.pdf
 
 figures=(shares profile anytime obstacles)
 for name in "${figures[@]}"; do
     [ "$(pdfimages -list "$name.pdf" | wc -l)" -eq 2 ] || fail "$name.pdf: has pixels"
-    # Words, as their boxes: none may stick out of the page that they are on, nor cover another one.
+    # Words, as their boxes: none may stick out of the page that they are on, nor cover another one, nor be
+    # too small to read where the page is 8 cm wide: 227 points.
     pdftotext -bbox "$name.pdf" - | awk -v name="$name.pdf" -F'"' '
         /<page / { width = $2; height = $4 }
         /<word / {
             word = $9
+            gsub(/^>|<\/word>$/, "", word)
+            if (($8 - $4) * 227 / width < 7) { print name ": too small: " word; bad = 1 }
             if ($2 < 0 || $4 < 0 || $6 > width || $8 > height) { print name ": cut off: " word; bad = 1 }
             for (i = 0; i < count; ++i)
                 if ($2 < right[i] && left[i] < $6 && $4 + 3 < low[i] && high[i] + 3 < $8) {

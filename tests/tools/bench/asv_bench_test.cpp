@@ -188,6 +188,7 @@ TEST(BenchProgram, WrongUsageNamesWhatThereIs) {
         {{"--plot", "b.gif"}, "must end in .svg, .png or .pdf"},
         {{"--columns", "solved,magic"}, "there is no column 'magic'; there are solved, rate"},
         {{"--direction", "sideways"}, "forward"},
+        {{"--layout", "round"}, "wide,column"},
         {{"--parameter-plot", "b.svg"}, "--parameter-plot wants --parameter NAME"},
         {{"--seeds", "0"}, "--seeds"},
         {{"--time-limit", "nan"}, "'nan' is not a decimal number"}};
