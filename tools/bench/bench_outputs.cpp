@@ -90,6 +90,34 @@ void end_without_a_reader(const Output& output) {
     end_anyway_after(to_begin + to_read, static_cast<int>(ExitCode::interrupted));
 }
 
+void add_plot_options(CLI::App& app, BenchOutputs& outputs) {
+    const std::array<const char*, 4> shown{"shares solved over time and costs",
+                                           "performance profiles: times over those of the best "
+                                           "planner",
+                                           "costs over time, with quartiles",
+                                           "median time and success over --parameter"};
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        app.add_option(outputs.plots[i].option, outputs.plots[i].files,
+                       std::string("Draw ") + shown[i] +
+                           ": .svg, .png or .pdf, or - for an SVG on standard output; may be "
+                           "repeated")
+            ->type_name("FILE.svg|.png|.pdf")
+            ->allow_extra_args(false);
+    app.add_option("--parameter", outputs.parameter,
+                   "What --parameter-plot and --report draw curves over: n (number of ASVs), "
+                   "obstacles, or a number in the file that asv-generate --solvable has written "
+                   "beside each problem")
+        ->type_name("NAME");
+    app.add_option("--theme", outputs.theme, "Colours of the plots: light or dark")
+        ->check(CLI::IsMember({"light", "dark"}))
+        ->capture_default_str();
+    app.add_option("--layout", outputs.layout,
+                   "Of the plots: wide, or column for a column of print, 8 or 9 cm, whose caption "
+                   "says what the heading of a wide one does")
+        ->check(CLI::IsMember({"wide", "column"}))
+        ->capture_default_str();
+}
+
 }  // namespace
 
 void add_output_options(CLI::App& app, BenchOutputs& outputs) {
@@ -117,31 +145,7 @@ void add_output_options(CLI::App& app, BenchOutputs& outputs) {
         ->type_name("FILE.log");
     app.add_option("--database", outputs.database, "Write an SQLite database for Planner Arena")
         ->type_name("FILE.db|.sqlite");
-    const std::array<const char*, 4> shown{"shares solved over time and costs",
-                                           "performance profiles: times over those of the best "
-                                           "planner",
-                                           "costs over time, with quartiles",
-                                           "median time and success over --parameter"};
-    for (std::size_t i = 0; i < shown.size(); ++i)
-        app.add_option(outputs.plots[i].option, outputs.plots[i].files,
-                       std::string("Draw ") + shown[i] +
-                           ": .svg, .png or .pdf, or - for an SVG on standard output; may be "
-                           "repeated")
-            ->type_name("FILE.svg|.png|.pdf")
-            ->allow_extra_args(false);
-    app.add_option("--parameter", outputs.parameter,
-                   "What --parameter-plot and --report draw curves over: n (number of ASVs), "
-                   "obstacles, or a number in the file that asv-generate --solvable has written "
-                   "beside each problem")
-        ->type_name("NAME");
-    app.add_option("--theme", outputs.theme, "Colours of the plots: light or dark")
-        ->check(CLI::IsMember({"light", "dark"}))
-        ->capture_default_str();
-    app.add_option("--layout", outputs.layout,
-                   "Of the plots: wide, or column for a column of print, 8 or 9 cm, whose caption "
-                   "says what the heading of a wide one does")
-        ->check(CLI::IsMember({"wide", "column"}))
-        ->capture_default_str();
+    add_plot_options(app, outputs);
 }
 
 void complete(BenchOutputs& outputs) {

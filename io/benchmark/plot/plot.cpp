@@ -21,9 +21,14 @@ using geometry::Point;
 using geometry::Segment;
 
 // In points.
+constexpr double times_right = 500;
+constexpr double names_left = 526, costs_left = 690;
+constexpr double column_costs_left = 150, times_to_costs = 14;
 constexpr double times_height = 150, row_height = 26, second_row = 16;
 constexpr double ticks_height = 34;  // below costs
 constexpr double legend_height = 24;
+constexpr double mark_room = 6;  // left of the middle of a mark
+constexpr double column_cost_steps = 3;
 
 /// One row for each planner; two where both directions ran.
 double rows_height(const PlotPanel& panel) {
@@ -35,33 +40,35 @@ double rows_height(const PlotPanel& panel) {
 }
 
 /// The parts of a panel on the page.
-struct Parts {
+struct PanelParts {
     Box times, costs;
-    double names_left;
+    double names;  ///< where the marks before them are
     double bottom;
 };
 
 /// Costs are beside the times, or in a column below them.
-Parts parts_of(const PlotPanel& panel, double top, PlotLayout layout) {
+PanelParts panel_parts(const PlotPanel& panel, double top, PlotLayout layout) {
     const PageMeasures page = page_measures(layout);
     const double high = top + panel_top;
     if (layout == PlotLayout::column) {
         const double low = high + times_height;
-        const double costs_high = low + panel_bottom + 14,
+        const double costs_high = low + panel_bottom + times_to_costs,
                      costs_low = costs_high + rows_height(panel);
         return {{{page.left, high}, {page.right, low}},
-                {{150, costs_high}, {page.right, costs_low}},
-                page.words + 6,
+                {{column_costs_left, costs_high}, {page.right, costs_low}},
+                page.words + mark_room,
                 costs_low + ticks_height};
     }
     const double low = high + std::max(times_height, rows_height(panel));
-    return {
-        {{page.left, high}, {500, low}}, {{690, high}, {page.right, low}}, 526, low + panel_bottom};
+    return {{{page.left, high}, {times_right, low}},
+            {{costs_left, high}, {page.right, low}},
+            names_left,
+            low + panel_bottom};
 }
 
 /// Of the ticks below costs: in a column there is room for a few.
 double cost_steps(PlotLayout layout) {
-    return layout == PlotLayout::column ? 3 : most_cost_steps;
+    return layout == PlotLayout::column ? column_cost_steps : most_cost_steps;
 }
 
 bool both_directions(const BenchmarkReport& report) {
@@ -88,13 +95,13 @@ class Plotter {
     }
 
     void panel(const PlotPanel& panel, const Axis& times, double top) {
-        const Parts parts = parts_of(panel, top, layout_);
+        const PanelParts parts = panel_parts(panel, top, layout_);
         draw_panel_title(canvas_, colours_, panel.title, panel.facts, top, layout_);
         caption({page_measures(layout_).words, parts.times.low.y - 10}, "share of runs solved");
         caption({parts.costs.low.x, parts.costs.low.y - 10},
                 panel.relative ? "cost of the path / least possible" : "cost of the path");
         draw_times(panel, times, parts.times);
-        draw_costs(panel, parts.costs, parts.names_left);
+        draw_costs(panel, parts.costs, parts.names);
     }
 
   private:
@@ -172,7 +179,7 @@ class Plotter {
                   series.direction == Direction::reversed, colours_.field);
     }
 
-    void draw_costs(const PlotPanel& panel, const Box& box, double names_left) {
+    void draw_costs(const PlotPanel& panel, const Box& box, double names) {
         frame(box);
         double least = panel.relative ? 1 : HUGE_VAL, greatest = panel.relative ? 1.02 : -HUGE_VAL;
         for (const PlotSeries& series : panel.series)
@@ -188,7 +195,7 @@ class Plotter {
             const PlotSeries& series = panel.series[i];
             const bool second = i > 0 && panel.series[i - 1].planner == series.planner;
             if (i > 0) y += second ? second_row : row_height;
-            if (!second) draw_name(series.planner, {names_left, y}, box.low.x);
+            if (!second) draw_name(series.planner, {names, y}, box.low.x);
             draw_row(series, costs, y);
         }
     }
@@ -242,7 +249,7 @@ Axis common_times(const BenchmarkReport& report, std::span<const PlotPanel> pane
             greatest = std::max(greatest, series.times.back());
         }
     greatest = std::clamp(greatest, 1e-6, 1e9);
-    const Box times = parts_of({}, 0, layout).times;
+    const Box times = panel_parts({}, 0, layout).times;
     return time_axis(std::clamp(least, 1e-6, greatest), greatest, times.low.x, times.high.x);
 }
 
@@ -255,7 +262,7 @@ double panels_top(const BenchmarkReport& report, PlotLayout layout) {
 double page_height(const BenchmarkReport& report, std::span<const PlotPanel> panels,
                    PlotLayout layout) {
     double bottom = panels_top(report, layout);
-    for (const PlotPanel& panel : panels) bottom = parts_of(panel, bottom, layout).bottom;
+    for (const PlotPanel& panel : panels) bottom = panel_parts(panel, bottom, layout).bottom;
     return bottom + below_panels;
 }
 
@@ -273,7 +280,7 @@ std::string draw_benchmark(const BenchmarkReport& report, PictureFormat format, 
     double top = panels_top(report, layout);
     for (const PlotPanel& panel : panels) {
         plotter.panel(panel, times, top);
-        top = parts_of(panel, top, layout).bottom;
+        top = panel_parts(panel, top, layout).bottom;
     }
     return canvas.finish("Benchmark: share of runs solved over time, and costs",
                          plan_facts(report.plan));

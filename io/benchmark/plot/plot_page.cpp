@@ -17,6 +17,8 @@ void grid_line(Canvas& canvas, const Palette& colours, const Point& a, const Poi
     canvas.stroke_segments(std::span(&line, 1), {colours.grid, 1});
 }
 
+constexpr double warning_height = 20;
+
 /// Why the picture is not to be taken as it is; empty where it may be.
 std::string warning_of(const BenchmarkReport& report) {
     std::string text = spoilt_note(report.plan);
@@ -33,14 +35,15 @@ PageMeasures page_measures(PlotLayout layout) {
 
 double header_height(const BenchmarkReport& report, PlotLayout layout) {
     if (layout == PlotLayout::wide) return greatest_header;
-    return warning_of(report).empty() ? 0 : 20;
+    return warning_of(report).empty() ? 0 : warning_height;
 }
 
 void draw_header(Canvas& canvas, const Palette& colours, const BenchmarkReport& report,
                  const std::string& title, PlotLayout layout) {
     const double left = page_measures(layout).words;
     if (layout == PlotLayout::column) {
-        canvas.text({left, 18}, warning_of(report), {colours.violation, tick_size});
+        if (const std::string warning = warning_of(report); !warning.empty())
+            canvas.text({left, 18}, warning, {colours.violation, tick_size});
         return;
     }
     canvas.text({left, 38}, title, {colours.ink, 20, true});
