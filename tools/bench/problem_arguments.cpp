@@ -38,7 +38,7 @@ core::BenchmarkProblem generate_problem(const std::string& name, const std::stri
         return {name, file, std::move(made.problem), digest,
                 io::number_parameters(made.generation.parameters)};
     } catch (const UsageError& error) {
-        throw UsageError(io::escaped(file) + ": " + error.what());
+        throw UsageError((words.empty() ? "generate" : io::escaped(file)) + ": " + error.what());
     }
 }
 

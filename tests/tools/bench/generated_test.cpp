@@ -68,7 +68,8 @@ TEST(GeneratedProblem, IsCalledByItsWordsWhereItHasNoLabel) {
 TEST(GeneratedProblem, WrongWordsEndBeforeAnythingRuns) {
     const TemporaryFolder folder;
     const std::vector<std::pair<Words, std::string>> cases{
-        {{"generate:"}, "a family has to be named; there are corridor, "},
+        {{"generate:"}, "asv-bench: generate: a family has to be named; there are corridor, bend"},
+        {{"x: generate: "}, "asv-bench: generate: a family has to be named; there are corridor"},
         {{"generate: maz -n 4"}, "'maz' is no family; there are maze, "},
         {{"x: generate: corridor -n 2"}, "generate: corridor -n 2: asvs must be 1 or 3 to 200"},
         {{"generate: corridor -n 4 -o x.txt"}, "corridor takes no -o"},
