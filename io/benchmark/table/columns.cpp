@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 #include "io/benchmark/report.hpp"
@@ -49,13 +50,17 @@ std::string whole_median(const Spread& count) {
     return count.count > 0 ? std::to_string(static_cast<long long>(count.median)) : "-";
 }
 
+std::string whole_mean(const Spread& count) {
+    return count.count > 0 ? std::to_string(std::llround(count.mean)) : "-";
+}
+
 std::string median_cost(const Summary& summary) {
     if (summary.cost.count == 0) return "-";
     return with_interval(short_number(summary.cost.median), short_number(summary.median_cost.low),
                          short_number(summary.median_cost.high));
 }
 
-constexpr std::array<Column, 25> catalogue{{
+constexpr std::array<Column, 27> catalogue{{
     {"solved", "solved",
      [](const Summary& row, double) {
          return std::to_string(row.solved) + " of " + std::to_string(row.runs);
@@ -110,6 +115,9 @@ constexpr std::array<Column, 25> catalogue{{
     {"nodes", "nodes", [](const Summary& row, double) { return whole_median(row.nodes); }},
     {"checks", "state checks",
      [](const Summary& row, double) { return whole_median(row.state_checks); }},
+    {"mean-nodes", "mean nodes", [](const Summary& row, double) { return whole_mean(row.nodes); }},
+    {"mean-checks", "mean state checks",
+     [](const Summary& row, double) { return whole_mean(row.state_checks); }},
     {"first-cost", "first cost",
      [](const Summary& row, double) { return if_any(row.cost_first, row.cost_first.median); }},
     {"cost", "cost", [](const Summary& row, double) { return if_any(row.cost, row.cost.median); }},

@@ -123,6 +123,19 @@ TEST(Table, HasTheColumnsThatAreChosen) {
     EXPECT_TRUE(test::contains(table, "| swaps\\|1 | 10031 | 0 | 30 |\n")) << table;
 }
 
+TEST(Table, HasMeansOfWorkBesideItsMedians) {
+    BenchmarkReport report = test::sample_report();
+    report.runs[0].spent.tree_nodes[0] = 1010;
+    report.runs[0].spent.state_checks = 1401;
+    const std::string table =
+        markdown_table(report, columns_named("nodes,mean-nodes,checks,mean-checks"));
+    EXPECT_TRUE(test::contains(table,
+                               "| planner | nodes | mean nodes | state checks | mean state checks "
+                               "|\n|---|---:|---:|---:|---:|\n"
+                               "| auto | 530 | 530 | 900 | 901 |\n"))
+        << table;
+}
+
 TEST(Columns, AnUnknownOneIsToldWithThoseThereAre) {
     for (const char* keys : {"solved,magic", "", "solved,", "solved cost"}) try {
             columns_named(keys);
