@@ -2,22 +2,35 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 namespace asv::core {
 
 namespace {
 
-/// A setting that only counts where a switch is on.
+/// A setting that does nothing where another one has a value, a number as in SettingValue.
 struct Dependence {
-    std::string_view setting, on;
+    std::string_view setting, other;
+    double idle_at = 0;
 };
 
-constexpr std::array dependences{
-    Dependence{"swap-steps", "swap-limiter"},      Dependence{"swap-step", "swap-limiter"},
-    Dependence{"quality-floor", "neighbour-cost"}, Dependence{"control-reach", "control-chosen"},
-    Dependence{"goal-probability", "goal-bias"},   Dependence{"enlarge-tries", "enlarge"},
-    Dependence{"enlarge-share", "enlarge"}};
+constexpr auto by_whole_motions = static_cast<double>(ExtendBy::whole);
+constexpr auto by_steps = static_cast<double>(ExtendBy::steps);
+
+constexpr std::array dependences{Dependence{"swap-steps", "swap-limiter"},
+                                 Dependence{"swap-step", "swap-limiter"},
+                                 Dependence{"quality-floor", "neighbour-cost"},
+                                 Dependence{"control-reach", "control-chosen"},
+                                 Dependence{"goal-probability", "goal-bias"},
+                                 Dependence{"enlarge-tries", "enlarge"},
+                                 Dependence{"enlarge-share", "enlarge"},
+                                 Dependence{"extend-step", "extend", by_whole_motions},
+                                 Dependence{"extend-nodes", "extend", by_whole_motions},
+                                 Dependence{"swap-step", "extend", by_steps},
+                                 Dependence{"enlarge", "extend", by_steps},
+                                 Dependence{"enlarge-tries", "extend", by_steps},
+                                 Dependence{"enlarge-share", "extend", by_steps},
+                                 Dependence{"ladder", "extend", by_steps},
+                                 Dependence{"step", "extend", by_steps}};
 
 bool is_among(const std::vector<Setting>& settings, std::string_view name) {
     return std::any_of(settings.begin(), settings.end(),
@@ -32,10 +45,12 @@ bool is_for_chains(const Planner& planner, std::string_view setting) {
     return is_among(settings_of(ladder), setting);
 }
 
-std::optional<double> value_of(Planner planner, std::string_view setting) {
+/// What keeps the dependent setting from having an effect: "swap-limiter is off"; empty if nothing.
+std::string why_idle(Planner planner, const Dependence& dependence) {
     for (const Setting& s : settings(planner))
-        if (s.name == setting) return s.value.get();
-    return std::nullopt;
+        if (s.name == dependence.other && s.value.get() == dependence.idle_at)
+            return s.name + " is " + describe_value(s);
+    return "";
 }
 
 /// Settings of samplers that are not drawn from.
@@ -61,9 +76,10 @@ std::string why_without_effect(const Planner& planner, std::string_view setting,
     if (body != BodyKind::chain && is_for_chains(planner, setting))
         return std::string("it is for chains, and the body is ") +
                (body == BodyKind::arm ? "an arm" : "a point");
-    for (const Dependence& dependence : dependences)
-        if (dependence.setting == setting && value_of(planner, dependence.on) == 0.0)
-            return std::string(dependence.on) + " is off";
+    for (const Dependence& dependence : dependences) {
+        if (dependence.setting != setting) continue;
+        if (std::string why = why_idle(planner, dependence); !why.empty()) return why;
+    }
     const SamplerOptions* sampler = sampler_options(planner);
     return sampler ? idle_sampler(*sampler, setting) : "";
 }

@@ -49,8 +49,8 @@ std::vector<Setting> settings_of(AutoPlanner& p) {
 }
 
 std::vector<Setting> settings_of(RrtConnectPlanner& p) {
-    return joined({settings_of(p.space), settings_of(p.search), settings_of(p.extensions),
-                   settings_of(p.sampler)});
+    return joined({settings_of(p.space), settings_of(p.search), settings_of(p.single_steps),
+                   settings_of(p.extensions), settings_of(p.sampler)});
 }
 
 std::vector<Setting> settings_of(RrtPlanner& p) {

@@ -13,6 +13,7 @@
 #include "core/search/sampling/sampler_options.hpp"
 #include "core/search/setting.hpp"
 #include "core/search/slide_and_pull.hpp"
+#include "core/search/trees/single_steps.hpp"
 #include "core/space/ladder_options.hpp"
 #include "core/space/steering/slide_options.hpp"
 
@@ -31,6 +32,7 @@ struct AutoPlanner {
 struct RrtConnectPlanner {
     LadderOptions space;
     RrtConnectOptions search;
+    SingleStepOptions single_steps;
     ExtensionOptions extensions;
     SamplerOptions sampler;
 };

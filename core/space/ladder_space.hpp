@@ -43,6 +43,10 @@ class LadderSpace {
     bool motion_valid(std::span<const double> from, std::span<const double> to) {
         return straight_.motion_valid(from, to);
     }
+    /// How far the ASVs move, root mean square: unlike in distance(), turns count.
+    double motion_length(std::span<const double> from, std::span<const double> to) const {
+        return straight_.distance(from, to);
+    }
     double cost(std::span<const double> from, std::span<const double> to) {
         return straight_.cost(from, to);
     }

@@ -47,7 +47,8 @@ inline std::vector<Setting> settings_of_swaps(ExtensionOptions& options) {
          .why = "as reported",
          .source = extensions_report},
         {.name = "swap-step",
-         .meaning = "length that counts as a step; 0: a thousandth of the longest side",
+         .meaning = "length of a whole motion that counts as a step; 0: a thousandth of the "
+                    "longest side",
          .value = number(options.swap_step, 0, 1e3, in_metric),
          .why = "the primitive step of the report",
          .source = extensions_report},

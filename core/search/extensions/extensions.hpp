@@ -75,7 +75,10 @@ class Extensions {
                std::uint32_t last) {
         exhaustion_.grown(side, from, outcome);
         collision_swap_.grown(outcome);
-        swap_limiter_.grown(space.distance(tree.row(from), tree.row(last)));
+        if constexpr (requires { space.steps_tried(); })
+            swap_limiter_.stepped(space.steps_tried());
+        else
+            swap_limiter_.grown(space.distance(tree.row(from), tree.row(last)));
     }
 
     /// Do the trees change roles after this iteration? Both rules have to agree.

@@ -9,8 +9,8 @@ namespace asv::core {
 /// over as many connects as it takes. A growth across open space uses up its share at once, one in
 /// a narrow place keeps its turn for many tries.
 ///
-/// Our growth is one proven motion instead of steps; it counts as many steps as it is long,
-/// and a blocked one as one.
+/// A growth that is one proven motion instead of steps counts as many steps as it is long, and a
+/// blocked one as one. Where a space goes by SingleSteps, the steps themselves count.
 class SwapLimiter {
   public:
     /// steps: after which the roles change; 0: after each iteration.
@@ -19,6 +19,9 @@ class SwapLimiter {
 
     /// Tells of a growth of so great a length.
     void grown(double length) { steps_ += std::max(1.0, length / step_); }
+
+    /// Tells of a growth of so many steps, the one that was blocked included.
+    void stepped(std::size_t steps) { steps_ += static_cast<double>(steps); }
 
     /// Is it time to swap? Then counting starts again.
     bool due() {

@@ -249,6 +249,12 @@ class SampledBy {
     double cost(Row from, Row to) { return space_.cost(from, to); }
     double cost_lower_bound(Row from, Row to) { return space_.cost_lower_bound(from, to); }
 
+    /// Of a space that has another length of motions than its distance (length_of_motion()).
+    double motion_length(Row a, Row b) const requires requires(const Space& space) {
+        space.motion_length(a, b);
+    }
+    { return space_.motion_length(a, b); }
+
     /// Of a space that counts its checks.
     auto state_checks() const { return space_.state_checks(); }
     auto motion_checks() const { return space_.motion_checks(); }

@@ -31,9 +31,10 @@ Sampler<Space> sampler_for(const Space& space, SamplerOptions options) {
     return make_sampler<Space>(options);
 }
 
+/// With the extensions that are on.
 template <SampledSpace Space>
-SearchResult search_in(Space& space, const RrtConnectPlanner& planner, const Query& query,
-                       const Limits& limits, Rng& rng, const Observer& observer) {
+SearchResult rrt_connect_in(Space& space, const RrtConnectPlanner& planner, const Query& query,
+                            const Limits& limits, Rng& rng, const Observer& observer) {
     if (!planner.extensions.any())
         return rrt_connect(space, query, planner.search, limits, rng, observer);
     ExtensionOptions options = planner.extensions;
@@ -41,6 +42,17 @@ SearchResult search_in(Space& space, const RrtConnectPlanner& planner, const Que
     options.passage_filter.sigma = length_or_share(space, options.passage_filter.sigma, 0.05);
     return rrt_connect(space, query, planner.search, limits, rng, observer,
                        Extensions(query, options));
+}
+
+template <SampledSpace Space>
+SearchResult search_in(Space& space, const RrtConnectPlanner& planner, const Query& query,
+                       const Limits& limits, Rng& rng, const Observer& observer) {
+    SingleStepOptions options = planner.single_steps;
+    if (options.extend == ExtendBy::whole)
+        return rrt_connect_in(space, planner, query, limits, rng, observer);
+    options.step = length_or_share(space, options.step, 0.001);
+    SingleSteps<Space> stepping(space, options);
+    return rrt_connect_in(stepping, planner, query, limits, rng, observer);
 }
 
 template <SampledSpace Space>

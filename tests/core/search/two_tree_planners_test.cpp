@@ -6,6 +6,7 @@
 #include "core/model/problem.hpp"
 #include "core/search/rrt_connect.hpp"
 #include "core/search/slide_and_pull.hpp"
+#include "core/search/trees/single_steps.hpp"
 #include "tests/kit/seeds.hpp"
 #include "tests/kit/toy_planners.hpp"
 
@@ -24,6 +25,11 @@ SearchResult classic(PointSpace& space, const Limits& limits, Rng& rng, const Ob
     return rrt_connect(space, {start, goal}, {{orders...}}, limits, rng, observer);
 }
 
+SearchResult steps(PointSpace& space, const Limits& limits, Rng& rng, const Observer& observer) {
+    SingleSteps<PointSpace> stepping(space, {ExtendBy::steps, 0.05});
+    return rrt_connect(stepping, {start, goal}, {}, limits, rng, observer);
+}
+
 SearchResult slides(PointSpace& space, const Limits& limits, Rng& rng, const Observer& observer) {
     return slide_and_pull(space, {start, goal}, {}, limits, rng, observer);
 }
@@ -34,6 +40,7 @@ const test::ToyPlanner planners[] = {
     {"BothToSample", classic<both_to_sample>},
     {"StartThenGoal", classic<start_then_goal>},
     {"GoalThenStart", classic<goal_then_start>},
+    {"SingleSteps", steps},
     {"SlidePull", slides},
 };
 

@@ -22,6 +22,20 @@ TEST(IdleSettings, WhatBelongsToASwitchNeedsIt) {
     EXPECT_EQ(why_without_effect(planner, "swap-steps", BodyKind::chain), "");
 }
 
+TEST(IdleSettings, SingleStepsAndWholeMotionsHaveTheirOwn) {
+    Planner planner = planner_named("rrt-connect");
+    set(planner, "swap-limiter", "on");
+    for (const char* of_steps : {"extend-step", "extend-nodes"})
+        EXPECT_EQ(why_without_effect(planner, of_steps, BodyKind::chain), "extend is whole");
+    for (const char* of_motions : {"enlarge", "enlarge-tries", "ladder", "step", "swap-step"})
+        EXPECT_EQ(why_without_effect(planner, of_motions, BodyKind::chain), "");
+    set(planner, "extend", "steps");
+    for (const char* of_steps : {"extend-step", "extend-nodes", "swap-steps"})
+        EXPECT_EQ(why_without_effect(planner, of_steps, BodyKind::chain), "");
+    for (const char* of_motions : {"enlarge", "enlarge-tries", "ladder", "step", "swap-step"})
+        EXPECT_EQ(why_without_effect(planner, of_motions, BodyKind::chain), "extend is steps");
+}
+
 TEST(IdleSettings, WhatBelongsToASamplerNeedsThatSampler) {
     Planner planner = planner_named("rrt");
     EXPECT_NE(why_without_effect(planner, "sigma", BodyKind::chain), "");

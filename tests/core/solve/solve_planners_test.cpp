@@ -1,5 +1,6 @@
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tests/kit/chains/problems.hpp"
 #include "tests/kit/solving.hpp"
@@ -74,6 +75,28 @@ TEST(SolvePlanners, RrtConnectSolvesWithEachExtension) {
         options.planner = RrtConnectPlanner{};
         set(options.planner, setting, value);
         expect_solved(problem, solve(problem, options));
+    }
+}
+
+TEST(SolvePlanners, RrtConnectSolvesBySingleSteps) {
+    for (const char* file : {"3ASV.txt", "bodies/arm-4-map.json", "bodies/point-town.json"}) {
+        SCOPED_TRACE(file);
+        const Problem problem = testcase(file);
+        SolveOptions options = plain(1);
+        options.planner = RrtConnectPlanner{};
+        set(options.planner, "extend", "steps");
+        std::vector<std::size_t> nodes;
+        for (const char* which : {"each", "last"}) {
+            set(options.planner, "extend-nodes", which);
+            const SolveResult result = solve(problem, options);
+            expect_solved(problem, result);
+            EXPECT_EQ(solve(problem, options).solution->path, result.solution->path);
+            const SolveStatistics& spent = result.statistics;
+            EXPECT_GT(spent.edge_checks, 300U);
+            nodes.push_back(spent.tree_nodes[0] + spent.tree_nodes[1]);
+        }
+        EXPECT_GT(nodes[0], 300U);
+        EXPECT_LT(5 * nodes[1], nodes[0]);
     }
 }
 

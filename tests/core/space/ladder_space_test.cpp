@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/search/trees/single_steps.hpp"
 #include "core/search/trees/two_trees.hpp"
 #include "tests/kit/chains/configuration_oracle.hpp"
 #include "tests/kit/chains/problems.hpp"
@@ -87,6 +88,28 @@ TEST(LadderSpace, SteersStraightWhereNothingIsInTheWay) {
     target[1] -= 0.2;
     EXPECT_EQ(scene.steer(plain(), target), Steered::reached);
     EXPECT_EQ(scene.visited, target);
+}
+
+TEST(LadderSpace, SingleStepsAreShortWhereTheChainTurnsAlone) {
+    const UnderACeiling scene(1.2);
+    LadderSpace space(scene.world, {});
+    Row target(scene.world.start);
+    target[3] -= 0.3;
+    ASSERT_EQ(space.distance(scene.world.start, target), 0);
+    SingleSteps<LadderSpace> stepping(space, {ExtendBy::steps, 0.001, StepNodes::each});
+    Configurations rows(scene.world.start);
+    EXPECT_EQ(stepping.steer(scene.world.start, target, rows), Steered::reached);
+    Oracle(scene.world).expect_valid_path(rows);
+    EXPECT_EQ(rows.size() / 4, stepping.steps_tried() + 1);
+    for (std::size_t i = 1; i < rows.size() / 4; ++i) {
+        const Points before = test::positions_of(scene.world.chain, nth(rows, 4, i - 1));
+        const Points after = test::positions_of(scene.world.chain, nth(rows, 4, i));
+        const double moved =
+            std::hypot(after.back().x - before.back().x, after.back().y - before.back().y);
+        ASSERT_LE(moved, 0.001 * std::sqrt(3))
+            << "root mean square of three ASVs, one of which moves";
+        ASSERT_GT(moved, 0.001);
+    }
 }
 
 TEST(LadderSpace, EveryMotionIsValid) {
