@@ -35,9 +35,8 @@ inline std::vector<Setting> settings_of(SingleStepOptions& options) {
         {.name = "extend",
          .meaning = "extend a tree by whole proven motions, or by single steps straight ahead",
          .value = one_of(options.extend, {"whole", "steps"}),
-         .why =
-             "straight motions proven whole take fewer checks than their steps, which the reported "
-             "figures are of",
+         .why = "where a whole motion is blocked, enlargement and ladder go on; steps are for "
+                "comparison with the report on extensions",
          .source = "Kuffner and LaValle 2000"},
         {.name = "extend-step",
          .meaning = "length of such a step at most; 0: a thousandth of the longest side",
