@@ -172,39 +172,38 @@ def table():
 
 
 def results(report):
-    """Of the runs on problems that have a path those that are solved, forward + reversed; then the
-    median time to the first path of all these runs."""
+    """A row for each planner: of its runs on problems that have a path those that are solved,
+    forward + reversed, by families and numbers of ASVs; then the median time to the first path."""
     feasible = {"generate: " + row["words"] for row in read_set() if row["feasible"] == "feasible"}
     problems_ = {p["name"]: p for p in report["problems"] if p["file"] in feasible}
     directions = report["session"]["directions"]
-    groups = [(family, lambda p, f=family: p["file"].split()[1] == f) for family in FEASIBLE]
+    groups = {family: {n for n, p in problems_.items() if p["file"].split()[1] == family}
+              for family in FEASIBLE}
     for low, high in ((1, 5), (6, 10), (11, 20), (21, 50)):
-        groups.append((f"n = {low} to {high}", lambda p, l=low, h=high: l <= p["asv_count"] <= h))
-    groups.append(("all", lambda p: True))
-    labels = [planner["label"] for planner in report["planners"]]
-    print("| problems | runs each | " + " | ".join(labels) + " |\n|---|---:|" + "---:|" * len(labels))
-    for name, belongs in groups:
-        mine = {n for n, p in problems_.items() if belongs(p)}
-        if not mine:
-            continue
-        cells = []
-        for label in labels:
-            shares = []
-            for direction in directions:
-                runs = [run for run in report["runs"] if run["problem"] in mine
-                        and run["planner"] == label and run["direction"] == direction]
-                shares.append(str(sum(run["status"] == "solved" for run in runs)))
-            cells.append(" + ".join(shares))
-        each = str(len(mine) * report["session"]["seeds"])
-        print(f"| {name} | {' + '.join([each] * len(directions))} | " + " | ".join(cells) + " |")
-    medians = []
-    limit = report["session"]["time_limit_s"]
-    for label in labels:
-        times = [run["time_to_first_s"] if run["status"] == "solved" else float("inf")
-                 for run in report["runs"] if run["problem"] in problems_ and run["planner"] == label]
-        median = statistics.median_high(times)
-        medians.append(f">{1000 * limit:.0f}" if median > limit else f"{1000 * median:.1f}")
-    print("| median ms | | " + " | ".join(medians) + " |")
+        groups[f"n = {low} to {high}"] = {n for n, p in problems_.items()
+                                          if low <= p["asv_count"] <= high}
+    groups["all"] = set(problems_)
+    groups = {name: members for name, members in groups.items() if members}
+
+    print("| planner | " + " | ".join(groups) + " | median ms |\n|---|" + "---:|" * (len(groups) + 1))
+    each = [len(members) * report["session"]["seeds"] for members in groups.values()]
+    print("| runs | " + " | ".join(" + ".join([str(count)] * len(directions)) for count in each) + " | |")
+    for planner in report["planners"]:
+        runs = [run for run in report["runs"]
+                if run["planner"] == planner["label"] and run["problem"] in problems_]
+        solved = [run for run in runs if run["status"] == "solved"]
+        cells = [" + ".join(str(sum(run["problem"] in members and run["direction"] == direction
+                                    for run in solved)) for direction in directions)
+                 for members in groups.values()]
+        cells.append(median_time(runs, report["session"]["time_limit_s"]))
+        print(f"| {planner['label']} | " + " | ".join(cells) + " |")
+
+
+def median_time(runs, limit):
+    """In milliseconds; runs that are not solved count as longer than the limit."""
+    median = statistics.median_high(
+        run["time_to_first_s"] if run["status"] == "solved" else float("inf") for run in runs)
+    return f">{1000 * limit:.0f}" if median > limit else f"{1000 * median:.1f}"
 
 
 def read_json(name):
