@@ -176,7 +176,7 @@ TEST(SetOfProblems, AScriptMakesTheFileAnewAndTakesBetterCosts) {
     EXPECT_EQ(*found->lower_bound, *entry.lower_bound);
     EXPECT_GE(*found->best_cost, *found->lower_bound);
     const Outcome results = run({"results", (folder / "b.json").string()});
-    EXPECT_TRUE(contains(results.out, "| crossing | 2 | 2 |")) << results.out << results.err;
+    EXPECT_TRUE(contains(results.out, "| auto | 2 | 2 | 2 |")) << results.out << results.err;
 }
 
 TEST(SetOfProblems, WrongUsageIsTold) {
