@@ -136,7 +136,8 @@ ReportText report_text(const BenchmarkReport& report, const Columns& columns) {
         notes_of(report), spoilt_note(report.plan),
         one_planner ? tables_of_planner(report, columns) : tables_of_problems(report, columns),
         unsolved_lines(report)};
-    for (TextTable& overview : overview_tables(report)) text.tables.push_back(std::move(overview));
+    for (TextTable& overview : overview_tables(report, columns))
+        text.tables.push_back(std::move(overview));
     if (TextTable comparisons = comparison_table(report); !comparisons.rows.empty())
         text.tables.push_back(std::move(comparisons));
     return text;

@@ -36,9 +36,9 @@ TextTable empty_table(std::string title, std::string facts, const std::string& f
 std::vector<std::string> summary_row(const std::string& label, const core::Summary& summary,
                                      const Columns& columns, double unit);
 
-/// Each planner on all problems together, a table for each direction; none where there is but one
-/// problem.
-std::vector<TextTable> overview_tables(const BenchmarkReport& report);
+/// Each planner on all problems together, a table for each direction, with those of the columns
+/// that compare unlike problems; none where there is but one problem.
+std::vector<TextTable> overview_tables(const BenchmarkReport& report, const Columns& chosen);
 
 /// Every two planners, in a table without rows where there are no two.
 TextTable comparison_table(const BenchmarkReport& report);
