@@ -94,7 +94,7 @@ void ChainShortener::shortcut(Improvement& improvement, int patience, Rng& rng) 
                             : kind == 1 ? shortcutter.attempt(slide, share, rng)
                                         : attempt_partial(share);
         failures = gained ? 0 : failures + 1;
-        if (gained) improvement.keep(shortcutter.path());
+        if (gained) improvement.keep(shortcutter.path(), shortcutter.cost());
     }
 }
 

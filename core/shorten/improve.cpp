@@ -32,7 +32,10 @@ void Improvement::take(Configurations path) {
 }
 
 void Improvement::keep(const Configurations& path) {
-    const double cost = shortener_.cost(path);
+    keep(path, shortener_.cost(path));
+}
+
+void Improvement::keep(const Configurations& path, double cost) {
     if (cost >= cost_) return;
     cost_ = cost;
     path_ = path;

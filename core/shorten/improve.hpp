@@ -51,6 +51,8 @@ class Improvement {
     void take(Configurations path);
     /// Goes on with this form of the path where it costs less.
     void keep(const Configurations& path);
+    /// The same where the caller knows what the path costs.
+    void keep(const Configurations& path, double cost);
     /// So much of the work was done elsewhere, microseconds.
     void charge(double work) { end_of_work_ -= work; }
     /// Microseconds of work that are left.

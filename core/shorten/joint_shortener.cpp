@@ -59,7 +59,7 @@ void JointShortener::shorten(Improvement& improvement, Rng& rng) {
         const bool gained = rng.chance(partial_share) ? attempt_one_joint(share)
                                                       : shortcutter.attempt(straight, share, rng);
         failures = gained ? 0 : failures + 1;
-        if (gained) improvement.keep(shortcutter.path());
+        if (gained) improvement.keep(shortcutter.path(), shortcutter.cost());
     }
 }
 

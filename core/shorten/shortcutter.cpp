@@ -17,16 +17,19 @@ Shortcutter::Shortcutter(std::size_t dimension, Cost cost, Configurations path)
       path_(std::move(path)),
       from_(dimension_),
       to_(dimension_) {
-    measure();
+    measure({}, {});
 }
 
-void Shortcutter::measure() {
-    const std::size_t d = dimension_;
+/// Of the motions at the beginning and the end the costs are known; those between are measured.
+void Shortcutter::measure(std::span<const double> known_first, std::span<const double> known_last) {
+    const std::size_t motions = path_.size() / dimension_ - 1;
+    std::vector<double> costs(known_first.begin(), known_first.end());
+    while (costs.size() + known_last.size() < motions)
+        costs.push_back(motion_cost_(row(costs.size()), row(costs.size() + 1)));
+    costs.insert(costs.end(), known_last.begin(), known_last.end());
+    costs_ = std::move(costs);
     cumulative_.assign(1, 0.0);
-    for (std::size_t i = d; i < path_.size(); i += d)
-        cumulative_.push_back(cumulative_.back() +
-                              motion_cost_(std::span<const double>(path_.data() + i - d, d),
-                                           std::span<const double>(path_.data() + i, d)));
+    for (const double cost : costs_) cumulative_.push_back(cumulative_.back() + cost);
 }
 
 Shortcutter::Place Shortcutter::at(double cost) const {
@@ -67,15 +70,12 @@ bool Shortcutter::choose(double max_share, Rng& rng) {
 /// since the parts of one need not cost exactly what it costs.
 bool Shortcutter::gains() {
     const std::size_t next = last_.after + 1;
-    const auto row_at = [&](std::size_t i) {
-        return std::span<const double>{path_.data() + i * dimension_, dimension_};
-    };
-    double renewed = motion_cost_(row_at(first_.after), from_) + motion_cost_(to_, row_at(next));
+    double renewed = motion_cost_(row(first_.after), from_) + motion_cost_(to_, row(next));
     std::span<const double> previous = from_;
     for (std::size_t i = 0; i < between_.size(); i += dimension_) {
-        const std::span<const double> row{between_.data() + i, dimension_};
-        renewed += motion_cost_(previous, row);
-        previous = row;
+        const std::span<const double> next_row{between_.data() + i, dimension_};
+        renewed += motion_cost_(previous, next_row);
+        previous = next_row;
     }
     return renewed <= cumulative_[next] - cumulative_[first_.after] - min_shortcut_gain * cost();
 }
@@ -90,7 +90,9 @@ void Shortcutter::replace() {
     joined.insert(joined.end(), between_.begin(), between_.end());
     if (!to_goal_) joined.insert(joined.end(), row_begin(last_.after + 1), path_.end());
     path_ = std::move(joined);
-    measure();
+    const std::span<const double> before(costs_);
+    measure(before.first(from_start_ ? 0 : first_.after),
+            before.last(to_goal_ ? 0 : before.size() - (last_.after + 1)));
 }
 
 bool Shortcutter::attempt(const Bridge& bridge, double max_share, Rng& rng) {
@@ -118,9 +120,9 @@ bool Shortcutter::attempt_partial(std::size_t first, std::size_t count, const Mo
     if (!gains()) return false;
     std::span<const double> previous = from_;
     for (std::size_t i = 0; i < between_.size(); i += dimension_) {
-        const std::span<const double> row{between_.data() + i, dimension_};
-        if (!valid(previous, row)) return false;
-        previous = row;
+        const std::span<const double> next_row{between_.data() + i, dimension_};
+        if (!valid(previous, next_row)) return false;
+        previous = next_row;
     }
     replace();
     return true;

@@ -53,8 +53,11 @@ class Shortcutter {
         double fraction;
     };
     Place at(double cost) const;
+    std::span<const double> row(std::size_t way_point) const {
+        return {path_.data() + way_point * dimension_, dimension_};
+    }
     void configuration(const Place& place, std::vector<double>& row) const;
-    void measure();
+    void measure(std::span<const double> known_first, std::span<const double> known_last);
     bool choose(double max_share, Rng& rng);
     bool gains();
     void replace();
@@ -62,7 +65,8 @@ class Shortcutter {
     std::size_t dimension_;
     Cost motion_cost_;
     Configurations path_;
-    std::vector<double> cumulative_;
+    std::vector<double> costs_;       ///< of each motion
+    std::vector<double> cumulative_;  ///< at each way point
     Place first_{}, last_{};  ///< the places to be joined
     bool from_start_ = false, to_goal_ = false;
     std::vector<double> from_, to_;  ///< their configurations

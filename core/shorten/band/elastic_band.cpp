@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "geometry/elementary/functions.hpp"
 
@@ -209,12 +210,20 @@ Configurations ElasticBand::path() {
 void ElasticBand::thin(double longest, double tolerance) {
     const std::size_t count = path_.count();
     std::size_t kept = 1;
+    std::optional<double> to_here;  // what the motion from the last kept way point costs
     for (std::size_t i = 1; i + 1 < count; ++i) {
         const auto last = path_.row(kept - 1), here = path_.row(i), next = path_.row(i + 1);
-        if (metric_.distance(last, next) < longest &&
-            cost_(last, next) <= (cost_(last, here) + cost_(here, next)) * (1 + tolerance) &&
-            checker_.valid(last, next))
-            continue;
+        std::optional<double> from_here;
+        if (metric_.distance(last, next) < longest) {
+            if (!to_here) to_here = cost_(last, here);
+            from_here = cost_(here, next);
+            const double past = cost_(last, next);
+            if (past <= (*to_here + *from_here) * (1 + tolerance) && checker_.valid(last, next)) {
+                to_here = past;
+                continue;
+            }
+        }
+        to_here = from_here;
         std::copy(here.begin(), here.end(), path_.row(kept).begin());
         ++kept;
     }
