@@ -214,53 +214,18 @@ Sampler<Space> make_sampler(const SamplerOptions& options) {
     return MixedSampler<Space>(std::move(parts));
 }
 
-/// A space that proposes what a sampler draws and is the given space in all other operations of a
-/// SampledSpace.
+/// A space that proposes what a sampler draws, and is the given one in all other operations.
 template <SampledSpace Space>
-class SampledBy {
-    using Row = std::span<const double>;
-
+class SampledBy : public Space {
   public:
     /// arguments: those of the space.
     template <class... Arguments>
     explicit SampledBy(Sampler<Space> sampler, Arguments&&... arguments)
-        : space_(std::forward<Arguments>(arguments)...), sampler_(std::move(sampler)) {}
+        : Space(std::forward<Arguments>(arguments)...), sampler_(std::move(sampler)) {}
 
-    bool sample(Rng& rng, std::span<double> out) { return sampler_(space_, rng, out); }
-
-    std::size_t dimension() const { return space_.dimension(); }
-    NearestNeighbours make_index() const { return space_.make_index(); }
-    WrappingAngles wrapping() const { return space_.wrapping(); }
-    double distance(Row a, Row b) const { return space_.distance(a, b); }
-    Steered steer(Row from, Row target, Configurations& visited) {
-        return space_.steer(from, target, visited);
-    }
-
-    bool from_unit_cube(Row unit, std::span<double> out) {
-        return space_.from_unit_cube(unit, out);
-    }
-    double extent(std::size_t coordinate) const { return space_.extent(coordinate); }
-    void perturb(Rng& rng, Row row, double sigma, std::span<double> out) {
-        space_.perturb(rng, row, sigma, out);
-    }
-    bool collides(Row row) { return space_.collides(row); }
-    bool valid(Row row) { return space_.valid(row); }
-    bool motion_valid(Row from, Row to) { return space_.motion_valid(from, to); }
-    double cost(Row from, Row to) { return space_.cost(from, to); }
-    double cost_lower_bound(Row from, Row to) { return space_.cost_lower_bound(from, to); }
-
-    /// Of a space that has another length of motions than its distance (length_of_motion()).
-    double motion_length(Row a, Row b) const requires requires(const Space& space) {
-        space.motion_length(a, b);
-    }
-    { return space_.motion_length(a, b); }
-
-    /// Of a space that counts its checks.
-    auto state_checks() const { return space_.state_checks(); }
-    auto motion_checks() const { return space_.motion_checks(); }
+    bool sample(Rng& rng, std::span<double> out) { return sampler_(*this, rng, out); }
 
   private:
-    Space space_;
     Sampler<Space> sampler_;
 };
 
