@@ -67,7 +67,7 @@ class Shortcutter {
     Configurations path_;
     std::vector<double> costs_;       ///< of each motion
     std::vector<double> cumulative_;  ///< at each way point
-    Place first_{}, last_{};  ///< the places to be joined
+    Place first_{}, last_{};          ///< the places to be joined
     bool from_start_ = false, to_goal_ = false;
     std::vector<double> from_, to_;  ///< their configurations
     Configurations between_;         ///< what leads from the first to the second

@@ -11,6 +11,7 @@
 #include "core/validation/validate.hpp"
 #include "io/problem/problem_file.hpp"
 #include "tests/kit/chains/problems.hpp"
+#include "tests/kit/solving.hpp"
 
 namespace asv::core {
 namespace {
@@ -23,7 +24,7 @@ BenchmarkProblem problem_named(const std::string& name) {
 BenchmarkPlan small_plan() {
     BenchmarkPlan plan;
     plan.problems = {problem_named("3ASV"), problem_named("3ASV-x4")};
-    plan.planners = {{"auto", AutoPlanner{}, {}}, {"rrt", RrtPlanner{}, {}}};
+    plan.planners = {{"auto", AutoPlanner{}, {}}, {"rrt-connect", RrtConnectPlanner{}, {}}};
     plan.directions = {Direction::forward, Direction::reversed};
     plan.first_seed = 5;
     plan.seeds = 2;
@@ -154,7 +155,7 @@ TEST(RunBenchmark, AnInvalidStartIsRefusedBeforeAnythingRuns) {
 
 TEST(FaultOf, NamesWhatIsWrong) {
     const Problem problem = problem_named("3ASV").problem;
-    Solution solution = *solve(problem).solution;
+    Solution solution = *solve(problem, test::plain(1)).solution;
     EXPECT_EQ(fault_of(problem, solution), "");
     solution.cost += 1;
     EXPECT_TRUE(fault_of(problem, solution).starts_with("cost: ")) << fault_of(problem, solution);
