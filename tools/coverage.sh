@@ -6,14 +6,14 @@
 # core/search --missing` then tells which of a room were never taken.
 # Not run, so not counted: pages in a browser, the house, the site, Python, OMPL and MPI; programs whose single
 # allocations fail, since gcov's own code ends by a fault when one of its fails. A process leaves its counts where
-# it ends in order or by tools/common/end_at_once.hpp, and none where a signal ends it. So slow a build keeps the
-# time limits of the tests only on a machine that has nothing else to do.
+# it ends in order or by tools/common/end_at_once.hpp, and none where a signal ends it. Whether a test passes is for
+# the other builds to say: so slow a one does not keep the time limits of all; it names those that failed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 # Percent of the branches.
 validation_gate=100
-whole_gate=88
+whole_gate=90
 
 tests=(validation)
 with_pages=false
@@ -21,9 +21,10 @@ folder=core/validation
 gates=(--gate "core/validation=$validation_gate")
 case "$*" in
     "")
-        tests+=(bounds chain chain_kernels generate geometry geometry_kernels model routes search shorten
-            solve solve_threads space benchmark fuzz io io_benchmark bench_program generate_program programs
-            view_program limits)
+        # Those first that take long.
+        tests=(bench_program search "${tests[@]}" solve programs generate chain_kernels bounds chain geometry
+            geometry_kernels model routes shorten solve_threads space benchmark fuzz io io_benchmark
+            generate_program view_program limits)
         with_pages=true
         folder=.
         gates+=(--gate ".=$whole_gate")
@@ -44,14 +45,26 @@ if $with_pages; then
     cmake --build --preset coverage --target manuals > /dev/null
 fi
 
+# Tests of very many cases, minutes each in so slow a build, which run no line that others do not.
+left_out=(
+    '*SaysThatItHasNoMemory*'
+    BatchChecker.OneSeedGivesOnePathAndOneCountOnEveryTarget
+    LineCheck.ProvesWhatIsValidAndNothingElse
+    MotionProof.AThousandSamplesForEveryPrimitiveStepFindNothing
+    Options.ChainsThatFindNoPlaceEndWithNoRoom
+    Replan.EveryPlannerFindsAPath
+    RrtStar.PathsGetShorterAsTheBudgetGrows
+    'SameBytes.*'
+    'Soak.*'
+    Vouch.NeverVouchesForWhatCannotBe
+)
 # Each program of tests runs all its tests in one process, as every process takes a while to add its counts.
 export ASV_TEST_SCALE=${ASV_TEST_SCALE:-0.1}
 export GTEST_BRIEF=1
-export GTEST_FILTER='-*SaysThatItHasNoMemory*'
+GTEST_FILTER="-$(IFS=: && echo "${left_out[*]}")"
+export GTEST_FILTER
 run_test() {
-    "$1/tests/test_$2" > "$1/$2.log" 2>&1 && return
-    tail -n 50 "$1/$2.log"
-    return 1
+    "$1/tests/test_$2" > "$1/$2.log" 2>&1 || echo "test_$2: not every test has passed, see $1/$2.log"
 }
 export -f run_test
 printf '%s\n' "${tests[@]}" | xargs -P "$(nproc)" -I{} bash -c 'run_test "$@"' - "$build" {}
@@ -59,10 +72,8 @@ printf '%s\n' "${tests[@]}" | xargs -P "$(nproc)" -I{} bash -c 'run_test "$@"' -
 # which take long here, nor one of an instruction set that this build does not have.
 if $with_pages; then
     ctest --test-dir "$build" -j "$(nproc)" --output-on-failure -R '^(manual|docs\.commands)\.' \
-        -E '\.docs_(programs|asv_bench|tutorials_compare_planners)_md' > "$build/pages.log" || {
-        tail -n 50 "$build/pages.log"
-        exit 1
-    }
+        -E '\.docs_(programs|asv_bench|tutorials_compare_planners)_md' > "$build/pages.log" ||
+        echo "not every page's commands have run, see $build/pages.log"
 fi
 
 tools/coverage/table.py "$build" "$folder" "${gates[@]}"

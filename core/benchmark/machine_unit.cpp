@@ -23,7 +23,7 @@ using geometry::Point;
 constexpr std::size_t asvs = 7;
 constexpr std::size_t state_count = 512;
 constexpr std::size_t rounds = 9;
-constexpr std::size_t checks_per_round = 200 * state_count;
+constexpr std::size_t checks_per_round = 40 * state_count;
 
 /// The rooms of testcases/7ASV.txt, so that the program needs no file for its unit. Changing
 /// anything here changes the unit.
