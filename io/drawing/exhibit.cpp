@@ -13,11 +13,16 @@ namespace {
 using core::CheckResult;
 
 core::ValidationReport judge(const ExhibitInput& input) {
+    const core::Problem& problem = input.problem;
+    const double tolerance = problem.requirements.tolerance;
     if (input.solution) {
-        return core::validate(input.problem, *input.solution, {.list_offenders = true});
+        return core::validate(problem, *input.solution,
+                              {.tolerance = tolerance, .list_offenders = true});
     }
-    core::ValidationReport both = core::validate_state(input.problem, input.problem.start);
-    const core::ValidationReport goal = core::validate_state(input.problem, input.problem.goal);
+    core::ValidationReport both =
+        core::validate_state(problem, problem.start, {.tolerance = tolerance});
+    const core::ValidationReport goal =
+        core::validate_state(problem, problem.goal, {.tolerance = tolerance});
     for (CheckResult result : goal.checks) {
         if (result.worst) result.worst->state = 1;
         both.checks.push_back(result);

@@ -145,8 +145,9 @@ std::string index_page(const std::string& cards, const GalleryReport& report) {
 
 /// None where start or goal is not valid, or no way exists.
 std::optional<double> lower_bound_of(const core::Problem& problem) {
-    const bool valid = core::validate_state(problem, problem.start).valid() &&
-                       core::validate_state(problem, problem.goal).valid();
+    const core::ValidationOptions options{.tolerance = problem.requirements.tolerance};
+    const bool valid = core::validate_state(problem, problem.start, options).valid() &&
+                       core::validate_state(problem, problem.goal, options).valid();
     if (!valid) return std::nullopt;
     const double bound = core::cost_lower_bound(problem).total;
     if (!std::isfinite(bound)) return std::nullopt;

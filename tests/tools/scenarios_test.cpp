@@ -61,6 +61,19 @@ TEST_P(EveryScenario, IsSolvedValidatedAndShown) {
     EXPECT_GT(fs::file_size(svg), 1000U);
 }
 
+TEST(ScenarioProgram, AScenarioIsJudgedByItsOwnTolerance) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "s.json", picture = folder / "p.svg";
+    // The brooms are longer than they should be by 0.01.
+    std::ofstream(file) << R"({"version": 1, "body": {"kind": "chain", "broom_length": 1},
+ "bounds": null, "tolerance": 0.02,
+ "start": [[0, 0], [1.01, 0], [1.01, 1.01]], "goal": [[5, 0], [6.01, 0], [6.01, 1.01]]})";
+    EXPECT_EQ(test::run_program("asv-validate", {file}).exit_code, 0);
+    EXPECT_EQ(test::run_program("asv-validate", {file, "--tolerance", "1e-5"}).exit_code, 1);
+    ASSERT_EQ(test::run_program("asv-view", {file, "-o", picture}).exit_code, 0);
+    EXPECT_NE(io::read_file(picture).find("start and goal are valid"), std::string::npos);
+}
+
 TEST(ScenarioProgram, AMistakeEndsWith3AndItsPlace) {
     const test::TemporaryFolder folder;
     const std::string file = folder / "s.json";

@@ -1,5 +1,6 @@
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,8 @@ struct Arguments {
     std::string problem;
     std::string solution;
     std::string json;
-    asv::core::ValidationOptions options;
+    std::optional<double> tolerance;
+    asv::core::ValidationOptions options;  ///< but for the tolerance
     asv::io::ReadOptions reading;
 };
 
@@ -50,9 +52,9 @@ void add_options(CLI::App& app, Arguments& arguments) {
            "Solution file, - for standard input; without it the problem's start and goal are "
            "checked")
         ->type_name("FILE.txt");
-    app.add_option("--tolerance", arguments.options.tolerance, "How lenient every requirement is")
-        ->transform(asv::tools::number_from(0))
-        ->capture_default_str();
+    app.add_option("--tolerance", arguments.tolerance,
+                   "How lenient every requirement is; by default 1e-05, or what a scenario says")
+        ->transform(asv::tools::number_from(0));
     app.add_flag("--continuous", arguments.options.continuous,
                  "Also certify the motion between the primitive steps");
     app.add_option(
@@ -101,7 +103,8 @@ std::vector<ValidatedPart> check(const CommandLine& command_line, const asv::io:
                                  const Arguments& arguments) {
     const asv::core::Problem& problem = file.problem;
     using asv::core::validate_state;
-    const auto& options = arguments.options;
+    asv::core::ValidationOptions options = arguments.options;
+    options.tolerance = arguments.tolerance.value_or(problem.requirements.tolerance);
     if (arguments.solution.empty()) {
         return {{"start", file.start_line, validate_state(problem, problem.start, options)},
                 {"goal", file.goal_line, validate_state(problem, problem.goal, options)}};
@@ -120,14 +123,15 @@ ExitCode validate_files(const CommandLine& command_line, const Arguments& argume
     asv::tools::FileRoles roles = roles_of(arguments);
     roles.require_distinct();
     asv::io::ReadOptions reading = arguments.reading;
-    reading.tolerance = arguments.options.tolerance;
+    reading.tolerance = arguments.tolerance;
     const asv::io::ProblemFile file = asv::io::read_problem(arguments.problem, reading);
     command_line.print(file.warnings);
     roles.add_maps(file);
     roles.require_distinct();
-    const ValidationSummary summary{arguments.problem, arguments.solution,
-                                    arguments.options.tolerance,
-                                    check(command_line, file, arguments)};
+    const ValidationSummary summary{
+        arguments.problem, arguments.solution,
+        arguments.tolerance.value_or(file.problem.requirements.tolerance),
+        check(command_line, file, arguments)};
     // What is meant for another program stays apart from what is meant for people.
     std::ostream& out = arguments.json == asv::io::standard_stream ? std::cerr : std::cout;
     for (const ValidatedPart& part : summary.parts) print(out, part);
