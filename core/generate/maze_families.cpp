@@ -4,8 +4,8 @@
 
 #include "core/generate/carve.hpp"
 #include "core/generate/families.hpp"
-#include "core/generate/flat_chain.hpp"
 #include "core/generate/option_check.hpp"
+#include "core/shapes/flat_chain.hpp"
 
 namespace asv::core {
 

@@ -16,7 +16,7 @@ namespace asv::core {
 
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 // A shape is cheap and most are refused in narrow rooms; places of one shape are more alike.
 constexpr int shapes_tried = 30'000;
 constexpr int places_tried = 30;
@@ -51,7 +51,7 @@ bool acceptable(std::span<const Point> chain, const ChainOptions& options,
 std::vector<double> draw_turns(std::size_t count, double min_turn, Rng& rng) {
     constexpr std::array concentrations{0.15, 0.4, 1.0, 3.0, 10.0, 100.0};
     const double concentration = concentrations[rng.below(concentrations.size())];
-    const double total = rng.uniform(0, two_pi);
+    const double total = rng.uniform(0, full_turn);
     std::vector<double> turns(count);
     double sum = 0;
     for (double& value : turns) sum += value = rng.gamma(concentration);
@@ -111,7 +111,7 @@ std::vector<Point> draw_end(const Problem& problem, const ChainOptions& options,
             for (double& value : turns) value = -value;
         for (int k = 0; k < places_tried; ++k) {
             const auto place = drawn_place(
-                chain_positions(turns, rng.uniform(0, two_pi), {0, 0}, length), region, rng);
+                chain_positions(turns, rng.uniform(0, full_turn), {0, 0}, length), region, rng);
             if (place && is_free(*place, problem.obstacles, options.clearance)) return *place;
         }
     }
@@ -170,18 +170,6 @@ void check(const ChainOptions& options) {
 std::size_t measured_asvs(std::size_t asv_count) {
     constexpr std::size_t fewest = 3;
     return std::max(fewest, asv_count);
-}
-
-std::vector<Point> chain_positions(std::span<const double> turns, double heading,
-                                   const Point& first, double broom_length) {
-    std::vector<Point> points{first};
-    points.reserve(turns.size() + 2);
-    for (std::size_t i = 0; i <= turns.size(); ++i) {
-        if (i > 0) heading += turns[i - 1];
-        points.push_back({points.back().x + broom_length * elementary::cos(heading),
-                          points.back().y + broom_length * elementary::sin(heading)});
-    }
-    return points;
 }
 
 std::vector<double> random_turns(const ChainOptions& options, const Requirements& requirements,

@@ -7,6 +7,7 @@
 
 #include "core/model/problem.hpp"
 #include "core/search/rng.hpp"
+#include "core/shapes/chain_shapes.hpp"
 
 /// Random chains that meet every requirement: a shape first, then a place for it.
 
@@ -61,10 +62,6 @@ std::vector<double> random_turns(const ChainOptions& options, const Requirements
 /// Families cut their passages to the measure of the chain: a lone ASV, which needs no room, gets
 /// that of the smallest one.
 std::size_t measured_asvs(std::size_t asv_count);
-
-/// The ASVs of a chain whose first one stands at the given point.
-std::vector<Point> chain_positions(std::span<const double> turns, double heading,
-                                   const Point& first, double broom_length);
 
 /// Where a drawn chain may stand: all its ASVs inside the region.
 struct EndRegions {

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <vector>
 
 #include "core/chain/arm_kinematics.hpp"
+#include "io/problem/scenario_ends.hpp"
 #include "io/problem/scenario_map.hpp"
+#include "io/problem/scenario_values.hpp"
 #include "io/problem/thin_walls.hpp"
 #include "io/text/json/document.hpp"
 #include "io/text/parse_error.hpp"
@@ -47,31 +48,15 @@ class ScenarioReader {
     }
 
   private:
-    static constexpr double min_positive = std::numeric_limits<double>::min();
-
     double number_or(const char* key, double otherwise, double low) const {
         const Pointer at = root_ / key;
         return document_.has(at) ? document_.number(at, low, largest_number) : otherwise;
     }
 
-    double number(const Pointer& at) const {
-        return document_.number(at, -largest_number, largest_number);
-    }
-
-    std::size_t array_size(const Pointer& at, const std::string& what) const {
-        if (!document_.is_array(at)) document_.fail(at, what);
-        return document_.array(at).size();
-    }
-
-    Point read_point(const Pointer& at) const {
-        if (array_size(at, "a point [x, y]") != 2) document_.fail(at, "a point [x, y]");
-        return {number(at / 0), number(at / 1)};
-    }
-
     Box read_box(const Pointer& at) const {
         const std::string box = "a rectangle [[x, y], [x, y]], its lower left corner first";
-        if (array_size(at, box) != 2) document_.fail(at, box);
-        const Box result{read_point(at / 0), read_point(at / 1)};
+        if (array_size(document_, at, box) != 2) document_.fail(at, box);
+        const Box result{read_point(document_, at / 0), read_point(document_, at / 1)};
         if (geometry::is_empty(result)) document_.fail(at, box);
         return result;
     }
@@ -92,7 +77,7 @@ class ScenarioReader {
     void read_obstacles() {
         const Pointer at = root_ / "obstacles";
         if (!document_.has(at)) return;
-        const std::size_t count = array_size(at, "an array of rectangles");
+        const std::size_t count = array_size(document_, at, "an array of rectangles");
         if (count > max_obstacles)
             document_.fail(at, "at most " + std::to_string(max_obstacles) + " rectangles");
         problem_.obstacles.reserve(count);
@@ -154,15 +139,16 @@ class ScenarioReader {
         } else if (kind == "point") {
             document_.require_members(at, {"kind"}, {});
             problem_.body = core::PointBody{};
-            problem_.start = {read_point(root_ / "start")};
-            problem_.goal = {read_point(root_ / "goal")};
+            problem_.start = {read_point(document_, root_ / "start")};
+            problem_.goal = {read_point(document_, root_ / "goal")};
         } else {
             document_.fail(at / "kind", "\"chain\", \"arm\" or \"point\"");
         }
     }
 
     void read_chain(const Pointer& at) {
-        document_.require_members(at, {"kind"}, {"broom_length", "minimum_area_factor"});
+        document_.require_members(at, {"kind"},
+                                  {"asv_count", "broom_length", "minimum_area_factor"});
         core::Requirements& required = problem_.requirements;
         if (document_.has(at / "broom_length"))
             required.broom_length =
@@ -170,27 +156,34 @@ class ScenarioReader {
         if (document_.has(at / "minimum_area_factor"))
             required.area_radius_per_broom =
                 document_.number(at / "minimum_area_factor", 0, largest_number);
-        problem_.start = read_positions(root_ / "start", 0);
-        problem_.goal = read_positions(root_ / "goal", problem_.start.size());
+        read_chain_ends(at);
     }
 
-    /// As many as wanted; any number but none where that is 0.
-    std::vector<Point> read_positions(const Pointer& at, std::size_t wanted) const {
-        const std::string what = wanted == 0 ? "an array of points [x, y], one for each ASV"
-                                             : "an array of " + std::to_string(wanted) + " points";
-        const std::size_t count = array_size(at, what);
-        if (count > max_asvs) document_.fail(at, "at most " + std::to_string(max_asvs) + " points");
-        if (count == 0 || (wanted != 0 && count != wanted)) document_.fail(at, what);
-        std::vector<Point> positions;
-        for (std::size_t i = 0; i < count; ++i) positions.push_back(read_point(at / i));
-        return positions;
+    /// How many ASVs there are, body.asv_count says, or an end that lists their places or turns.
+    void read_chain_ends(const Pointer& body) {
+        const core::Requirements& required = problem_.requirements;
+        const auto read = [&](const char* end, std::size_t wanted) {
+            return read_chain_end(document_, root_ / end, wanted, required);
+        };
+        const Pointer count = body / "asv_count";
+        std::size_t wanted = 0;
+        if (document_.has(count)) {
+            wanted = static_cast<std::size_t>(
+                document_.integer(count, 1, static_cast<std::int64_t>(max_asvs)));
+        } else if (is_shape(document_, root_ / "start")) {
+            if (is_shape(document_, root_ / "goal"))
+                document_.fail(count, "the number of ASVs, which two shapes do not tell,");
+            wanted = read("goal", 0).size();
+        }
+        problem_.start = read("start", wanted);
+        problem_.goal = read("goal", problem_.start.size());
     }
 
     void read_arm(const Pointer& at) {
         document_.require_members(at, {"kind", "base", "links", "angles", "joints"}, {});
         core::PlanarArm arm;
-        const Point base = read_point(at / "base");
-        const std::size_t count = array_size(at / "links", "an array of link lengths");
+        const Point base = read_point(document_, at / "base");
+        const std::size_t count = array_size(document_, at / "links", "an array of link lengths");
         if (count == 0) document_.fail(at / "links", "at least one link length");
         if (count > max_asvs)
             document_.fail(at / "links", "at most " + std::to_string(max_asvs) + " links");
@@ -202,8 +195,8 @@ class ScenarioReader {
         arm.angles = angles == "relative" ? core::AngleReference::previous_link
                                           : core::AngleReference::x_axis;
         arm.joints = read_joints(at / "joints", count);
-        arm.start = read_angles(root_ / "start", arm);
-        arm.goal = read_angles(root_ / "goal", arm);
+        arm.start = read_arm_end(document_, root_ / "start", arm);
+        arm.goal = read_arm_end(document_, root_ / "goal", arm);
         // Links that turn far in one step could not be told from links that turn the other way.
         if (problem_.requirements.max_step > *std::min_element(arm.links.begin(), arm.links.end()))
             document_.fail(root_ / "step", "at most the length of the shortest link");
@@ -229,23 +222,9 @@ class ScenarioReader {
         const std::string what = "\"wrap\" or angles [low, high] in radians";
         if (document_.is_text(at) && document_.text(at) == "wrap") return {.wraps = true};
         if (!document_.is_array(at) || document_.array(at).size() != 2) document_.fail(at, what);
-        core::JointRange range{false, number(at / 0), number(at / 1)};
+        core::JointRange range{false, any_number(document_, at / 0), any_number(document_, at / 1)};
         if (range.low > range.high) document_.fail(at, what);
         return range;
-    }
-
-    std::vector<double> read_angles(const Pointer& at, const core::PlanarArm& arm) const {
-        const std::string what =
-            "an array of " + std::to_string(arm.links.size()) + " joint angles in radians";
-        if (array_size(at, what) != arm.links.size()) document_.fail(at, what);
-        std::vector<double> angles;
-        for (std::size_t i = 0; i < arm.links.size(); ++i) {
-            const core::JointRange& range = arm.joints[i];
-            const double low = range.wraps ? -largest_number : range.low;
-            const double high = range.wraps ? largest_number : range.high;
-            angles.push_back(document_.number(at / i, low, high));
-        }
-        return angles;
     }
 
     const Pointer root_;

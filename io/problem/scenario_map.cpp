@@ -1,12 +1,12 @@
 #include "io/problem/scenario_map.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <system_error>
 
 #include "geometry/boxes/grid_cover.hpp"
 #include "io/map/map_file.hpp"
+#include "io/problem/scenario_values.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/parse_error.hpp"
 #include "io/text/scanner.hpp"
@@ -18,8 +18,6 @@ namespace fs = std::filesystem;
 using geometry::Box;
 using geometry::Point;
 using Pointer = JsonDocument::Pointer;
-
-constexpr double min_positive = std::numeric_limits<double>::min();
 
 /// The path without links and dots, as far as it exists; in a browser, which has no file system, as
 /// it is.
@@ -69,8 +67,7 @@ Point origin_of(const JsonDocument& document, const Pointer& at) {
     const std::size_t count = document.is_array(at) ? document.array(at).size() : 0;
     if (count != 2 && count != 3) document.fail(at, "a point [x, y]");
     if (count == 3) static_cast<void>(document.number(at / 2, 0, 0));
-    return {document.number(at / 0, -largest_number, largest_number),
-            document.number(at / 1, -largest_number, largest_number)};
+    return {any_number(document, at / 0), any_number(document, at / 1)};
 }
 
 }  // namespace

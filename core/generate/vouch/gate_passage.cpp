@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/generate/flat_chain.hpp"
 #include "core/generate/vouch/gate.hpp"
+#include "core/shapes/flat_chain.hpp"
 
 namespace asv::core {
 

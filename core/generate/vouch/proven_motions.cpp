@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/generate/flat_chain.hpp"
+#include "core/shapes/flat_chain.hpp"
 
 namespace asv::core {
 

@@ -30,6 +30,7 @@ class JsonDocument {
 
     bool has(const Pointer& at) const { return root_.contains(at); }
     bool is_null(const Pointer& at) const { return has(at) && root_.at(at).is_null(); }
+    bool is_object(const Pointer& at) const { return has(at) && root_.at(at).is_object(); }
     bool is_array(const Pointer& at) const { return has(at) && root_.at(at).is_array(); }
     bool is_number(const Pointer& at) const { return has(at) && root_.at(at).is_number(); }
     bool is_text(const Pointer& at) const { return has(at) && root_.at(at).is_string(); }

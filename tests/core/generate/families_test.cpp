@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/generate/flat_chain.hpp"
+#include "core/shapes/flat_chain.hpp"
 #include "core/validation/validate.hpp"
 #include "geometry/predicates/distance.hpp"
 #include "geometry/predicates/polygon.hpp"

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/generate/families.hpp"
-#include "core/generate/flat_chain.hpp"
+#include "core/shapes/flat_chain.hpp"
 
 namespace asv::core {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/generate/flat_chain.hpp"
+#include "core/shapes/flat_chain.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,11 +12,6 @@ namespace {
 
 using namespace scenario_samples;
 
-struct Mistake {
-    std::string text;
-    std::string message;
-};
-
 /// Texts that are no scenario, or lack a member or have one too many.
 std::vector<Mistake> mistakes_of_the_document() {
     return {

@@ -29,6 +29,12 @@ inline std::string with(std::string text, const std::string& part, const std::st
     return text.replace(at, part.size(), other);
 }
 
+/// A text that is no scenario, and what is said of it.
+struct Mistake {
+    std::string text;
+    std::string message;
+};
+
 inline std::string message(const std::string& text) {
     return test::error_message<ParseError>([&] { read(text); });
 }
