@@ -28,6 +28,7 @@ test_packages=(
     clang-format universal-ctags   # the form and the sizes of the sources
     gdb                            # the walk through the program
     python3                        # links between pages
+    python3-jsonschema             # schemas of JSON files
     ffmpeg                         # films
 )
 manual_packages=(

@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""What the programs write as JSON is what docs/schemas/ says, whatever the outcome; and the schemas refuse
+the same with a member too many or too few. Usage: outputs_test.py ROOT PROGRAMS"""
+
+import json
+import os
+import tempfile
+from pathlib import Path
+
+from kit import Draft202012Validator, end, expect, fault_of, places, programs, root, run, schemas, value_at, \
+    with_value, without
+
+FAMILIES = ["corridor", "bend", "gauntlet", "rooms", "maze", "spiral", "crossing", "clutter"]
+CASES = root / "testcases"
+seen = {name: [] for name in schemas}
+
+
+def take(file, schema):
+    """Holds the file against the schema, and keeps it for later."""
+    value = json.loads(Path(file).read_text())
+    fault = fault_of(value, schema)
+    expect(fault is None, f"{schema}: {file}: {fault}")
+    seen[schema].append(value)
+
+
+def solve(problem, *options, code=0):
+    run("asv-solve", problem, "s.txt", "--threads", 1, "--optimize", 0, "--quiet", "--stats", "stats.json",
+        "--trees", "trees.json", *options, code=code)
+    take("stats.json", "statistics")
+    # Without time for them there are no trees.
+    if Path("trees.json").exists():
+        take("trees.json", "trees")
+        Path("trees.json").unlink()
+
+
+def outputs_of_solve():
+    for name in ("3ASV.txt", "bodies/arm-3-workshop.json", "bodies/point-town.json", "bodies/chain-by-hand.json"):
+        solve(CASES / name)
+    solve(CASES / "3ASV.txt", "--planner", "prm-random", "--set", "samples=300", "--set", "neighbours=5", code=None)
+    solve(CASES / "bodies" / "point-town.json", "--planner", "prm-grid")
+    for name in ("opposite-orientation.txt", "two-asvs.txt", "enclosed-goal.txt"):
+        solve(CASES / "infeasible" / name, code=4)
+    solve(CASES / "15ASV.txt", "--planner", "rrt", "--time-limit", 0.05, code=1)
+    expect({run["status"] for run in seen["statistics"]} == {"solved", "timeout", "infeasible"},
+           "not every status was met")
+    expect(any("edges" in trees for trees in seen["trees"]), "there was no roadmap")
+
+
+def outputs_of_validate():
+    for name in ("3ASV.txt", "bodies/arm-3-workshop.json", "bodies/point-town.json"):
+        run("asv-solve", CASES / name, "s.txt", "--threads", 1, "--optimize", 0, "--quiet")
+        for options in ([CASES / name], [CASES / name, "s.txt", "--continuous"]):
+            run("asv-validate", *options, "--json", "v.json")
+            take("v.json", "validation")
+    # A path of another problem, and every start and goal that violates a requirement.
+    run("asv-validate", CASES / "3ASV-x4.txt", "s.txt", "--json", "v.json", code=None)
+    run("asv-solve", CASES / "3ASV-maze.txt", "s.txt", "--threads", 1, "--optimize", 0, "--quiet")
+    run("asv-validate", CASES / "3ASV.txt", "s.txt", "--verbose", "--continuous", "--json", "v.json", code=1)
+    take("v.json", "validation")
+    for file in sorted((CASES / "invalid").glob("start-*.txt")):
+        Path("v.json").unlink(missing_ok=True)
+        run("asv-validate", file, "--json", "v.json", "--verbose", code=None)
+        if Path("v.json").exists():
+            take("v.json", "validation")
+    expect(sum(not value["valid"] for value in seen["validation"]) >= 9, "too little was not valid")
+
+
+def outputs_of_generate():
+    for family in FAMILIES:
+        run("asv-generate", "-n", 3, "--seed", 2, "--solvable", "--quiet", "-o", "p.txt", family)
+        take("p.txt.json", "generation")
+    run("asv-generate", "-n", 3, "--infeasible", "turned", "--solvable", "--quiet", "-o", "p.txt", "clutter")
+    take("p.txt.json", "generation")
+    expect({value["verdict"] for value in seen["generation"]} == {"solvable", "unknown"}, "not both verdicts")
+
+
+def outputs_of_bench():
+    problems = [CASES / "3ASV.txt", CASES / "bodies" / "arm-3-workshop.json", "generate: clutter -n 3 --seed 3"]
+    planners = ["--planner", "auto", "--planner", "tree: rrt goal-bias=0.1", "--planner", "no: exec false {problem} {solution}",
+                "--planner", "other: exec asv-solve {problem} {solution} --seed {seed} --time-limit {time} --quiet"]
+    run("asv-bench", *problems, *planners, "--seeds", 2, "--direction", "both", "--time-limit", 1, "--resume", "j.jsonl",
+        "--json", "b.json", "--quiet")
+    take("b.json", "benchmark")
+    # The journal goes on with a run that was lost; then the runs of two files are put together.
+    journal = Path("j.jsonl").read_text().splitlines()
+    runs = [line for line in journal if line.startswith('{"problem"')]
+    Path("j.jsonl").write_text("\n".join([journal[0], *runs[:-1]]) + "\n")
+    run("asv-bench", *problems, *planners, "--seeds", 2, "--direction", "both", "--time-limit", 1, "--resume", "j.jsonl",
+        "--quiet")
+    for number, line in enumerate(Path("j.jsonl").read_text().splitlines(), start=1):
+        Path("line.json").write_text(line)
+        take("line.json", "journal_line")
+    kinds = {next(iter(line)) for line in seen["journal_line"]}
+    expect(kinds == {"format", "problem", "session", "session_end"}, f"the journal has lines of {kinds}")
+    run("asv-bench", CASES / "3ASV.txt", "--seeds", 1, "--first-seed", 3, "--planner", "auto", "--time-limit", 1,
+        "--json", "c.json", "--quiet")
+    run("asv-bench", CASES / "3ASV.txt", "--seeds", 2, "--planner", "auto", "--time-limit", 1, "--json", "d.json", "--quiet")
+    run("asv-bench", "--from", "c.json", "--from", "d.json", "--json", "b.json", "--quiet")
+    take("b.json", "benchmark")
+    expect(seen["benchmark"][-1]["session"]["parts"], "nothing was put together")
+
+
+def expect_refused_when_changed(name):
+    """No schema that takes anything: each object of a document with a member more, and without each."""
+    value = max(seen[name], key=lambda value: len(json.dumps(value)) if name != "trees" else "edges" in value)
+    if name == "trees":
+        value = {**value, "trees": [{**tree, "points": tree["points"][:2], "parents": tree["parents"][:2]}
+                                    for tree in value["trees"]], "edges": value["edges"][:2]}
+    free = ("parameters", "settings")  # whose members have any names
+    for at in list(places(value))[:400]:
+        here = value_at(value, at)
+        if isinstance(here, dict) and (not at or at[-1] not in free):
+            expect(fault_of(with_value(value, at, {**here, "surplus": 1}), name) is not None,
+                   f"{name}: a surplus member at {at} is taken")
+    optional = ("edges", "asv", "broom", "obstacle", "time", "parameters")
+    for at in list(places(value))[1:400]:
+        if isinstance(at[-1], str) and at[-1] not in optional and not set(at[:-1]) & set(free):
+            expect(fault_of(without(value, at), name) is not None, f"{name}: nothing at {at} is taken")
+
+
+def main():
+    for name, schema in schemas.items():
+        Draft202012Validator.check_schema(schema)
+    os.environ["PATH"] = f"{programs}:{os.environ['PATH']}"
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        for write in (outputs_of_solve, outputs_of_validate, outputs_of_generate, outputs_of_bench):
+            write()
+        os.chdir(root)
+    for name in schemas:
+        if name == "scenario":
+            continue
+        expect(seen[name], f"nothing is written as {name}")
+        expect_refused_when_changed(name)
+    end()
+
+
+main()
