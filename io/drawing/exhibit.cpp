@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <utility>
 
 #include "io/text/valid_text.hpp"
 
@@ -98,6 +99,10 @@ std::string grouped(std::size_t number) {
     return digits;
 }
 
+std::string with_unit(std::string length, const std::string& unit) {
+    return unit.empty() ? length : std::move(length) + " " + unit;
+}
+
 std::string fixed(double number, int digits) {
     std::array<char, 400> text{};
     const int length = std::snprintf(text.data(), text.size(), "%.*f", digits, number);
@@ -108,9 +113,10 @@ std::string facts(const Exhibit& exhibit) {
     const std::string dot = " · ";
     std::string text =
         body_of(exhibit.problem) + dot + counted(exhibit.problem.obstacles.size(), "obstacle");
-    if (exhibit.solution) text += dot + "cost " + fixed(exhibit.solution->cost, 4);
+    const std::string unit = exhibit.problem.arm() ? "" : exhibit.unit;
+    if (exhibit.solution) text += dot + "cost " + with_unit(fixed(exhibit.solution->cost, 4), unit);
     if (exhibit.lower_bound) {
-        text += dot + "lower bound " + fixed(*exhibit.lower_bound, 4);
+        text += dot + "lower bound " + with_unit(fixed(*exhibit.lower_bound, 4), unit);
         // What is not a path cannot be near the best one.
         if (exhibit.solution && exhibit.report.valid() && *exhibit.lower_bound > 0) {
             text += " (ratio " + fixed(exhibit.solution->cost / *exhibit.lower_bound, 3) + ")";

@@ -26,6 +26,7 @@ struct ExhibitInput {
     std::optional<SearchTrees> trees = {};
     std::optional<double> lower_bound = {};  ///< of the cost
     std::string planner = {};                ///< shown when not empty
+    std::string unit = {};                   ///< of lengths, shown behind them when not empty
 };
 
 /// The same with everything measured and judged that a picture or a player tells.
@@ -39,7 +40,8 @@ struct Exhibit : ExhibitInput {
 /// Measures and validates. Precondition: a solution has as many ASVs as the problem, and a state.
 Exhibit make_exhibit(ExhibitInput input);
 
-/// "7 ASVs · 7 obstacles · cost 13.2214 · at least 12.0402 (ratio 1.098) · 3,059 steps".
+/// "7 ASVs · 7 obstacles · cost 13.2214 · at least 12.0402 (ratio 1.098) · 3,059 steps". Costs have
+/// the unit behind them, but for an arm's, which are angles.
 std::string facts(const Exhibit& exhibit);
 
 /// "valid", "not valid: 2 of 8 requirements violated", or "start and goal are valid".
@@ -62,6 +64,9 @@ BodyWords words_for(core::BodyKind body);
 
 /// 12345678 as "12,345,678".
 std::string grouped(std::size_t number);
+
+/// A length and its unit behind it; the length alone where there is no unit.
+std::string with_unit(std::string length, const std::string& unit);
 
 /// A number with so many digits behind the point.
 std::string fixed(double number, int digits);

@@ -163,6 +163,7 @@ Exhibit read_exhibit(const ExhibitFiles& files, ReadingNotes& notes, const ReadO
     ExhibitInput input;
     input.name = fs::path(input_name(files.problem)).stem().string();
     input.problem = std::move(problem.problem);
+    input.unit = std::move(problem.unit);
     if (files.solution) {
         input.solution = read_solution(*files.solution, input.problem.asv_count(), &notes.warnings);
     }

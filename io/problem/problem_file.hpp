@@ -19,6 +19,7 @@ struct ProblemFile {
     std::size_t start_line = 2;                    ///< where the start stands in the file
     std::size_t goal_line = 3;                     ///< where the goal does
     std::vector<std::filesystem::path> maps = {};  ///< the files that a scenario has named
+    std::string unit = {};  ///< of a scenario's lengths, for people; empty where it says none
 };
 
 /// Reads the classic format (line 1: n; lines 2, 3: start, goal; line 4: m; then m obstacles), or a

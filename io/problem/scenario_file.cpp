@@ -1,11 +1,10 @@
 #include "io/problem/scenario_file.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 #include <vector>
 
 #include "core/chain/arm_kinematics.hpp"
+#include "io/problem/many_steps.hpp"
 #include "io/problem/scenario_ends.hpp"
 #include "io/problem/scenario_map.hpp"
 #include "io/problem/scenario_values.hpp"
@@ -25,6 +24,8 @@ using Pointer = JsonDocument::Pointer;
 
 constexpr int format_version = 1;
 
+constexpr std::ptrdiff_t longest_unit = 16;  // characters
+
 class ScenarioReader {
   public:
     ScenarioReader(std::string_view text, const std::string& name, std::filesystem::path folder,
@@ -33,24 +34,56 @@ class ScenarioReader {
 
     ProblemFile read() {
         document_.require_members(root_, {"version", "body", "start", "goal"},
-                                  {"bounds", "obstacles", "map", "step", "tolerance"});
+                                  {"unit", "bounds", "obstacles", "map", "step", "tolerance"});
         document_.integer(root_ / "version", format_version, format_version);
+        const std::string unit = read_unit();
         core::Requirements& required = problem_.requirements;
-        required.tolerance = number_or("tolerance", required.tolerance, 0);
-        required.max_step = number_or("step", required.max_step, min_positive);
+        const double size = size_of_brooms();
+        required.tolerance = number_or("tolerance", size * required.tolerance, 0);
+        required.max_step = number_or("step", size * required.max_step, min_positive);
         read_bounds();
         read_obstacles();
         if (document_.has(root_ / "map")) read_map_of_cells();
         read_body();
-        warn_about_many_steps();
-        return {std::move(problem_), warnings_.take(), document_.place(root_ / "start").line,
-                document_.place(root_ / "goal").line, std::move(maps_)};
+        // In the classic format nothing is far enough away.
+        if (const auto why = why_so_many_steps(problem_)) warn(root_ / "goal", *why);
+        return {std::move(problem_),
+                warnings_.take(),
+                document_.place(root_ / "start").line,
+                document_.place(root_ / "goal").line,
+                std::move(maps_),
+                unit};
     }
 
   private:
     double number_or(const char* key, double otherwise, double low) const {
         const Pointer at = root_ / key;
         return document_.has(at) ? document_.number(at, low, largest_number) : otherwise;
+    }
+
+    /// Free text: nothing is converted.
+    std::string read_unit() const {
+        const Pointer at = root_ / "unit";
+        if (!document_.has(at)) return {};
+        const std::string unit = document_.text(at);
+        const auto begins_character = [](char c) {
+            return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+        };
+        const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
+        const auto length = std::count_if(unit.begin(), unit.end(), begins_character);
+        if (length < 1 || length > longest_unit ||
+            std::any_of(unit.begin(), unit.end(), is_control))
+            document_.fail(at, "the name of a unit, 1 to " + std::to_string(longest_unit) +
+                                   " characters without line ends");
+        return unit;
+    }
+
+    /// Of a chain's brooms, as a multiple of those of the public assignment; 1 for other bodies.
+    /// What is wrong with the body is told where it is read.
+    double size_of_brooms() const {
+        const Pointer at = root_ / "body" / "broom_length";
+        return document_.is_number(at) ? document_.number(at) / core::Requirements{}.broom_length
+                                       : 1;
     }
 
     Box read_box(const Pointer& at) const {
@@ -101,25 +134,6 @@ class ScenarioReader {
         obstacles.insert(obstacles.end(), map.obstacles.begin(), map.obstacles.end());
         maps_.push_back(map.file);
         if (!document_.has(root_ / "bounds")) problem_.requirements.bounds = map.bounds;
-    }
-
-    /// A step that does not suit the field makes paths of which nobody knows why they take so long.
-    /// (In the classic format nothing is far enough away.)
-    void warn_about_many_steps() {
-        constexpr double many = 1e5;
-        double farthest = 0;
-        for (std::size_t i = 0; i < problem_.start.size(); ++i) {
-            const Point& from = problem_.start[i];
-            const Point& to = problem_.goal[i];
-            farthest = std::max(farthest, std::hypot(to.x - from.x, to.y - from.y));
-        }
-        const double steps = farthest / problem_.requirements.max_step;
-        if (!(steps > many)) return;
-        std::ostringstream text;
-        text << "any path has " << steps << " steps of " << problem_.requirements.max_step
-             << " or more; a larger \"step\" would suit this field: the goal is " << farthest
-             << " away";
-        warn(root_ / "goal", text.str());
     }
 
     void warn(const Pointer& at, const std::string& message) {
@@ -197,12 +211,11 @@ class ScenarioReader {
         arm.joints = read_joints(at / "joints", count);
         arm.start = read_arm_end(document_, root_ / "start", arm);
         arm.goal = read_arm_end(document_, root_ / "goal", arm);
-        // Links that turn far in one step could not be told from links that turn the other way.
-        if (problem_.requirements.max_step > *std::min_element(arm.links.begin(), arm.links.end()))
-            document_.fail(root_ / "step", "at most the length of the shortest link");
         problem_.start = core::arm_points(arm, base, arm.start);
         problem_.goal = core::arm_points(arm, base, arm.goal);
         problem_.body = std::move(arm);
+        if (problem_.requirements.max_step > largest_step(problem_))
+            document_.fail(root_ / "step", "at most the length of the shortest link");
     }
 
     /// "wrap" or [low, high] for all joints, or an array with one of these for each.

@@ -16,7 +16,7 @@ CHAIN = {"version": 1, "body": {"kind": "chain", "broom_length": 0.05, "minimum_
 SHAPES = {"version": 1, "body": {"kind": "chain", "asv_count": 7},
           "start": {"shape": "line", "at": [0.1, 0.5], "heading": 0, "orientation": "clockwise"},
           "goal": {"shape": "hook", "at": [0.6, 0.5], "heading": -90, "bend": 90, "leg": 3}, "bounds": None}
-ARC = {"version": 1, "body": {"kind": "chain"}, "start": [[0, 0], [0.05, 0], [0.05, 0.05]],
+ARC = {"version": 1, "unit": "µm", "body": {"kind": "chain"}, "start": [[0, 0], [0.05, 0], [0.05, 0.05]],
        "goal": {"shape": "arc", "at": [0.6, 0.5], "heading": 0, "bend": 100.5}}
 ARM = {"version": 1, "body": {"kind": "arm", "base": [1, 0], "links": [2, 1], "angles": "relative",
                               "joints": ["wrap", [-2, 2]]},
@@ -36,7 +36,7 @@ OUT_OF_RANGE = [
     (SHAPES, ("body", "asv_count"), 100001), (SHAPES, ("goal", "bend"), 0), (SHAPES, ("goal", "bend"), 360),
     (SHAPES, ("goal", "leg"), 0), (SHAPES, ("goal", "shape"), "ring"), (SHAPES, ("start", "orientation"), "left"),
     (SHAPES, ("start",), {**SHAPES["start"], "bend": 90}), (ARC, ("goal", "leg"), 1),
-    (ARM, ("body", "links"), []), (ARM, ("body", "links", 0), 0), (ARM, ("body", "angles"), "degrees"),
+    (ARC, ("unit",), ""), (ARC, ("unit",), "µ" * 17), (ARC, ("unit",), "m\n"), (ARM, ("body", "links"), []), (ARM, ("body", "links", 0), 0), (ARM, ("body", "angles"), "degrees"),
     (ARM, ("body", "joints"), []), (ARM, ("body", "joints", 0), "stop"), (ARM, ("start",), []),
     (POINT, ("map", "threshold"), 256), (POINT, ("map", "cell"), 0), (POINT, ("map", "file"), ""),
     (POINT, ("map", "origin"), [0]), (POINT, ("map", "origin", 2), 1), (POINT, ("goal",), [1, 2, 3])]

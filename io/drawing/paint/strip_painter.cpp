@@ -140,10 +140,11 @@ std::string which_link(core::BodyKind body, const Clearance& clearance) {
 void paint_caption(Canvas& canvas, const Exhibit& exhibit, const SceneLeast& least, const Point& at,
                    double zoom, const Palette& colours) {
     const Clearance& clearance = *exhibit.measures[least.state].clearance;
-    canvas.text(
-        at,
-        "least clearance " + (least.clearance == 0 ? "0: it collides" : fixed(least.clearance, 6)),
-        {colours.ink, Page::text_size, true, Align::left});
+    canvas.text(at,
+                "least clearance " + (least.clearance == 0
+                                          ? "0: it collides"
+                                          : with_unit(fixed(least.clearance, 6), exhibit.unit)),
+                {colours.ink, Page::text_size, true, Align::left});
     canvas.text({at.x, at.y + 17},
                 which_link(exhibit.problem.body_kind(), clearance) + "obstacle " +
                     std::to_string(clearance.obstacle + 1) + ", step " + grouped(least.state) +

@@ -164,6 +164,13 @@ TEST(Facts, SayCostBoundRatioAndSteps) {
     EXPECT_EQ(facts(exhibit),
               "3 ASVs · 0 obstacles · cost 1.5000 · lower bound 1.0000 (ratio 1.500) · 500 steps");
     EXPECT_EQ(verdict(exhibit), "valid");
+    Exhibit in_metres = exhibit;
+    in_metres.unit = "m";
+    EXPECT_EQ(facts(in_metres),
+              "3 ASVs · 0 obstacles · cost 1.5000 m · lower bound 1.0000 m (ratio 1.500) · "
+              "500 steps");
+    in_metres.problem.body = core::PlanarArm{};
+    EXPECT_EQ(facts(in_metres).find(" m"), std::string::npos) << "that of an arm is an angle";
 }
 
 TEST(Facts, SayNoRatioOfAPathThatIsNotValid) {

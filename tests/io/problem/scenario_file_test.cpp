@@ -136,6 +136,36 @@ TEST(Scenario, AMapIsARegularFileBelowTheScenario) {
     EXPECT_EQ(refusal("\\u001b[31m").find('\x1b'), std::string::npos);
 }
 
+TEST(Scenario, SaysItsUnitForPeople) {
+    const auto unit = [](const std::string& name) {
+        return parse_scenario(with(point, "\"start\"", "\"unit\": \"" + name + "\", \"start\""),
+                              "s.json", ".")
+            .unit;
+    };
+    EXPECT_EQ(parse_scenario(point, "s.json", ".").unit, "");
+    EXPECT_EQ(unit("µm"), "µm");
+    EXPECT_EQ(unit("nautical  miles!"), "nautical  miles!");
+    for (const char* wrong : {"", "nautical   miles!", "a\\nb"})
+        EXPECT_THROW(unit(wrong), ParseError) << wrong;
+}
+
+TEST(Scenario, StepAndToleranceFollowFromTheBrooms) {
+    const std::string chain =
+        R"({"version": 1, "body": {"kind": "chain"}, "start": [[0, 0]], "goal": [[0, 0]]})";
+    const core::Requirements usual = read(chain).requirements;
+    EXPECT_EQ(usual.max_step, core::Requirements{}.max_step);
+    EXPECT_EQ(usual.tolerance, core::Requirements{}.tolerance);
+    const std::string in_metres = with(chain, "\"chain\"", "\"chain\", \"broom_length\": 20");
+    EXPECT_EQ(read(in_metres).requirements.max_step, 0.4);
+    EXPECT_EQ(read(in_metres).requirements.tolerance, 0.004);
+    const core::Requirements given =
+        read(with(in_metres, "\"start\"", "\"step\": 3, \"tolerance\": 0, \"start\"")).requirements;
+    EXPECT_EQ(given.max_step, 3);
+    EXPECT_EQ(given.tolerance, 0);
+    // Other bodies have no brooms.
+    EXPECT_EQ(read(arm).requirements.max_step, core::Requirements{}.max_step);
+}
+
 TEST(Scenario, WarnsAboutWallsThatVanishAndStepsThatDoNotSuit) {
     const auto warnings = [](const std::string& text) {
         std::vector<std::string> texts;
@@ -153,8 +183,8 @@ TEST(Scenario, WarnsAboutWallsThatVanishAndStepsThatDoNotSuit) {
     EXPECT_EQ(warnings(with(with(point, "[1, 1]", "[6000, 0]"), "\"start\"",
                             "\"bounds\": null, \"start\"")),
               (std::vector<std::string>{
-                  "s.json:1:84: warning: any path has 6e+06 steps of 0.001 or more; a larger "
-                  "\"step\" would suit this field: the goal is 6000 away at goal"}));
+                  "s.json:1:84: warning: any path has 6e+06 steps of 0.001 or more (a "
+                  "\"step\" of 0.1 would fit): the goal is 6000 away at goal"}));
 }
 
 TEST(Scenario, ListsNoMoreThanAHundredWarnings) {

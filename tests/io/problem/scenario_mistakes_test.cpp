@@ -24,7 +24,7 @@ std::vector<Mistake> mistakes_of_the_document() {
          "s.json:1:1: expected a member at start, found nothing"},
         {std::string("{}\0}", 4), "s.json:1:3: expected JSON, found \"\\u0000\""},
         {with(point, "\"start\"", "\"stat\": 5, \"start\""),
-         "s.json:1:51: expected no other members than version, body, start, goal, bounds, "
+         "s.json:1:51: expected no other members than version, body, start, goal, unit, bounds, "
          "obstacles, map, step, tolerance at stat, found 5"},
     };
 }
