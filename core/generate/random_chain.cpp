@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/generate/option_check.hpp"
+#include "core/model/planning_window.hpp"
 #include "geometry/elementary/functions.hpp"
 #include "geometry/predicates/distance.hpp"
 #include "geometry/predicates/polygon.hpp"
@@ -23,7 +24,7 @@ constexpr int places_tried = 30;
 // A goal whose fence would cross the start is drawn again.
 constexpr int fences_tried = 1000;
 // Between the goal and its fence, and the thickness of that: ten primitive steps, so that nothing
-// jumps over it. Lengths in workspace units.
+// jumps over it. Lengths in workspace units, for brooms 0.05 long.
 constexpr double fence_gap = 0.002;
 constexpr double fence_thickness = 0.01;
 
@@ -124,10 +125,15 @@ Orientation opposite(Orientation orientation) {
                                                  : Orientation::clockwise;
 }
 
+/// Of the brooms, as a multiple of those of the public assignment.
+double size_of_brooms(const Problem& problem) {
+    return problem.requirements.broom_length / Requirements{}.broom_length;
+}
+
 /// Four boxes around the chain, each as long as to overlap its neighbours at the corners.
-std::array<Box, 4> fence_around(std::span<const Point> chain) {
-    const Box inside = grown(bounding_box(chain), fence_gap);
-    const Box outside = grown(inside, fence_thickness);
+std::array<Box, 4> fence_around(std::span<const Point> chain, double size) {
+    const Box inside = grown(bounding_box(chain), size * fence_gap);
+    const Box outside = grown(inside, size * fence_thickness);
     return {{{outside.low, {outside.high.x, inside.low.y}},
              {{outside.low.x, inside.high.y}, outside.high},
              {outside.low, {inside.low.x, outside.high.y}},
@@ -137,7 +143,7 @@ std::array<Box, 4> fence_around(std::span<const Point> chain) {
 /// Adds a fence around the goal. False, and nothing is added, where it would meet the start or have
 /// the start inside.
 bool fence_goal(Problem& problem, double clearance) {
-    const std::array<Box, 4> fence = fence_around(problem.goal);
+    const std::array<Box, 4> fence = fence_around(problem.goal, size_of_brooms(problem));
     const Box around{fence[0].low, fence[1].high};
     const Point& first = problem.start.front();
     const bool enclosed = first.x >= around.low.x && first.x <= around.high.x &&
@@ -151,6 +157,20 @@ Box inner_region(const Box& region, const Box& bounds, double clearance) {
     const Box inside = grown(bounds, -clearance);
     return {{std::max(region.low.x, inside.low.x), std::max(region.low.y, inside.low.y)},
             {std::min(region.high.x, inside.high.x), std::min(region.high.y, inside.high.y)}};
+}
+
+/// Draws the goal, and a fence around it where the options ask for one.
+void draw_goal_in(Problem& problem, const ChainOptions& options, const Box& region,
+                  Orientation orientation_of_start, Rng& rng) {
+    const bool turned = options.obstruction == Obstruction::turned;
+    const Orientation orientation = turned ? opposite(orientation_of_start) : orientation_of_start;
+    for (int i = 0; i < fences_tried; ++i) {
+        problem.goal = draw_end(problem, options, region, orientation, rng);
+        if (options.obstruction != Obstruction::fenced || fence_goal(problem, options.clearance))
+            return;
+    }
+    throw NoRoom("no goal of " + std::to_string(options.asv_count) +
+                 " ASVs was found whose fence keeps off the start; leave more room");
 }
 
 }  // namespace
@@ -190,18 +210,27 @@ void draw_ends(Problem& problem, const ChainOptions& options, const EndRegions& 
     if (orientation == Orientation::random)
         orientation = rng.chance(0.5) ? Orientation::clockwise : Orientation::counter_clockwise;
     const Box bounds = problem.requirements.bounds;
-    const Box goal_region = inner_region(regions.goal, bounds, options.clearance);
-    const bool turned = options.obstruction == Obstruction::turned;
     problem.start = draw_end(
         problem, options, inner_region(regions.start, bounds, options.clearance), orientation, rng);
-    for (int i = 0; i < fences_tried; ++i) {
-        problem.goal = draw_end(problem, options, goal_region,
-                                turned ? opposite(orientation) : orientation, rng);
-        if (options.obstruction != Obstruction::fenced || fence_goal(problem, options.clearance))
-            return;
-    }
-    throw NoRoom("no goal of " + std::to_string(options.asv_count) +
-                 " ASVs was found whose fence keeps off the start; leave more room");
+    draw_goal_in(problem, options, inner_region(regions.goal, bounds, options.clearance),
+                 orientation, rng);
+}
+
+void draw_goal(Problem& problem, const ChainOptions& options, Rng& rng) {
+    if (problem.body_kind() != BodyKind::chain)
+        throw std::invalid_argument("a goal is drawn for a chain of ASVs alone");
+    ChainOptions scaled = options;
+    scaled.asv_count = problem.asv_count();
+    check(scaled);
+    scaled.clearance *= size_of_brooms(problem);
+    scaled.min_closing_side *= size_of_brooms(problem);
+    // Around what there is; a goal there is not yet.
+    problem.goal = problem.start;
+    const Box window = planning_window(problem);
+    draw_goal_in(problem, scaled, inner_region(window, window, scaled.clearance),
+                 geometry::signed_area(problem.start) < 0 ? Orientation::clockwise
+                                                          : Orientation::counter_clockwise,
+                 rng);
 }
 
 }  // namespace asv::core

@@ -73,4 +73,11 @@ struct EndRegions {
 /// orientation, or obstructed as the options say. Throws NoRoom after many vain draws.
 void draw_ends(Problem& problem, const ChainOptions& options, const EndRegions& regions, Rng& rng);
 
+/// Draws the goal of a problem whose start, of a chain, is given: anywhere in its planning window
+/// and free of its obstacles, of the orientation of the start, or obstructed as the options say.
+/// Their number of ASVs and orientation do not count, and their lengths are meant for brooms 0.05
+/// long: they grow with the brooms. Throws NoRoom, and std::invalid_argument for other bodies, 2
+/// ASVs or more than 200, and options that are out of range. Precondition: the start is valid.
+void draw_goal(Problem& problem, const ChainOptions& options, Rng& rng);
+
 }  // namespace asv::core

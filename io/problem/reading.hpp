@@ -19,6 +19,8 @@ struct ReadOptions {
     std::optional<double> tolerance = {};
     /// A scenario may name a map outside its own folder.
     bool maps_anywhere = false;
+    /// A scenario that has no goal: it may have none, and its goal is its start.
+    bool start_only = false;
 };
 
 }  // namespace asv::io

@@ -30,11 +30,13 @@ class ScenarioReader {
   public:
     ScenarioReader(std::string_view text, const std::string& name, std::filesystem::path folder,
                    const ReadOptions& options)
-        : document_(text, name), folder_(std::move(folder)), options_(options) {}
+        : document_(text, name),
+          folder_(std::move(folder)),
+          options_(options),
+          goal_(root_ / (options.start_only ? "start" : "goal")) {}
 
     ProblemFile read() {
-        document_.require_members(root_, {"version", "body", "start", "goal"},
-                                  {"unit", "bounds", "obstacles", "map", "step", "tolerance"});
+        require_members();
         document_.integer(root_ / "version", format_version, format_version);
         const std::string unit = read_unit();
         core::Requirements& required = problem_.requirements;
@@ -46,16 +48,22 @@ class ScenarioReader {
         if (document_.has(root_ / "map")) read_map_of_cells();
         read_body();
         // In the classic format nothing is far enough away.
-        if (const auto why = why_so_many_steps(problem_)) warn(root_ / "goal", *why);
-        return {std::move(problem_),
-                warnings_.take(),
-                document_.place(root_ / "start").line,
-                document_.place(root_ / "goal").line,
-                std::move(maps_),
-                unit};
+        if (const auto why = why_so_many_steps(problem_)) warn(goal_, *why);
+        return {
+            std::move(problem_),         warnings_.take(), document_.place(root_ / "start").line,
+            document_.place(goal_).line, std::move(maps_), unit};
     }
 
   private:
+    void require_members() const {
+        if (options_.start_only)
+            document_.require_members(root_, {"version", "body", "start"},
+                                      {"unit", "bounds", "obstacles", "map", "step", "tolerance"});
+        else
+            document_.require_members(root_, {"version", "body", "start", "goal"},
+                                      {"unit", "bounds", "obstacles", "map", "step", "tolerance"});
+    }
+
     double number_or(const char* key, double otherwise, double low) const {
         const Pointer at = root_ / key;
         return document_.has(at) ? document_.number(at, low, largest_number) : otherwise;
@@ -154,7 +162,7 @@ class ScenarioReader {
             document_.require_members(at, {"kind"}, {});
             problem_.body = core::PointBody{};
             problem_.start = {read_point(document_, root_ / "start")};
-            problem_.goal = {read_point(document_, root_ / "goal")};
+            problem_.goal = {read_point(document_, goal_)};
         } else {
             document_.fail(at / "kind", "\"chain\", \"arm\" or \"point\"");
         }
@@ -176,8 +184,8 @@ class ScenarioReader {
     /// How many ASVs there are, body.asv_count says, or an end that lists their places or turns.
     void read_chain_ends(const Pointer& body) {
         const core::Requirements& required = problem_.requirements;
-        const auto read = [&](const char* end, std::size_t wanted) {
-            return read_chain_end(document_, root_ / end, wanted, required);
+        const auto read = [&](const Pointer& end, std::size_t wanted) {
+            return read_chain_end(document_, end, wanted, required);
         };
         const Pointer count = body / "asv_count";
         std::size_t wanted = 0;
@@ -185,12 +193,12 @@ class ScenarioReader {
             wanted = static_cast<std::size_t>(
                 document_.integer(count, 1, static_cast<std::int64_t>(max_asvs)));
         } else if (is_shape(document_, root_ / "start")) {
-            if (is_shape(document_, root_ / "goal"))
-                document_.fail(count, "the number of ASVs, which two shapes do not tell,");
-            wanted = read("goal", 0).size();
+            if (is_shape(document_, goal_))
+                document_.fail(count, "the number of ASVs, which shapes do not tell,");
+            wanted = read(goal_, 0).size();
         }
-        problem_.start = read("start", wanted);
-        problem_.goal = read("goal", problem_.start.size());
+        problem_.start = read(root_ / "start", wanted);
+        problem_.goal = read(goal_, problem_.start.size());
     }
 
     void read_arm(const Pointer& at) {
@@ -210,7 +218,7 @@ class ScenarioReader {
                                           : core::AngleReference::x_axis;
         arm.joints = read_joints(at / "joints", count);
         arm.start = read_arm_end(document_, root_ / "start", arm);
-        arm.goal = read_arm_end(document_, root_ / "goal", arm);
+        arm.goal = read_arm_end(document_, goal_, arm);
         problem_.start = core::arm_points(arm, base, arm.start);
         problem_.goal = core::arm_points(arm, base, arm.goal);
         problem_.body = std::move(arm);
@@ -244,6 +252,7 @@ class ScenarioReader {
     JsonDocument document_;
     std::filesystem::path folder_;
     ReadOptions options_;
+    const Pointer goal_;  ///< where it is told
     Problem problem_;
     WarningList warnings_;
     std::vector<std::filesystem::path> maps_;

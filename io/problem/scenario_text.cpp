@@ -74,9 +74,10 @@ ordered_json scenario_json(const core::Problem& problem) {
             {"tolerance", required.tolerance}};
 }
 
-std::string format_scenario(const core::Problem& problem) {
+std::string format_scenario(const core::Problem& problem, const std::string& unit) {
     std::string text;
-    const ordered_json json = scenario_json(problem);
+    ordered_json json = scenario_json(problem);
+    if (!unit.empty()) json["unit"] = unit;
     for (const auto& [member, value] : json.items())
         text += (text.empty() ? "{" : ",\n ") + ordered_json(member).dump() + ": " + value.dump();
     return text + "}\n";

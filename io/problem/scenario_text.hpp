@@ -12,7 +12,7 @@ namespace asv::io {
 /// to the same numbers; obstacles that came from a map are among the others.
 nlohmann::ordered_json scenario_json(const core::Problem& problem);
 
-/// The same as text, one member on each line.
-std::string format_scenario(const core::Problem& problem);
+/// The same as text, one member on each line; with the unit, where it is not empty.
+std::string format_scenario(const core::Problem& problem, const std::string& unit = "");
 
 }  // namespace asv::io

@@ -71,6 +71,12 @@ def outputs_of_generate():
         take("p.txt.json", "generation")
     run("asv-generate", "-n", 3, "--infeasible", "turned", "--solvable", "--quiet", "-o", "p.txt", "clutter")
     take("p.txt.json", "generation")
+    scenario = json.loads((CASES / "bodies" / "chain-by-hand.json").read_text())
+    del scenario["goal"]
+    Path("start.json").write_text(json.dumps(scenario))
+    run("asv-generate", "--from", "start.json", "--solvable", "--quiet", "-o", "p.json")
+    take("p.json.json", "generation")
+    take("p.json", "scenario")
     expect({value["verdict"] for value in seen["generation"]} == {"solvable", "unknown"}, "not both verdicts")
 
 

@@ -1,6 +1,7 @@
 #include "tools/families/generator.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
@@ -36,14 +37,27 @@ void add_chain_options(CLI::App& app, core::ChainOptions& chain) {
                "Least distance of the first to the last ASV of start and goal");
 }
 
-/// The options of the family and of the chain with the values that they were given or have anyway.
+/// What the start decides where one is given.
+constexpr std::array options_of_starts{"--asvs", "--orientation"};
+
+/// Those that say nothing about what is drawn, but which of it.
+constexpr std::array options_of_files{"--output", "--from", "--attempts", "--seed"};
+
+template <class Names>
+bool is_among(const CLI::Option& option, const Names& names) {
+    return std::find(names.begin(), names.end(), option.get_name()) != names.end();
+}
+
+/// The options of the family, if there is one, and of the chain with the values that they were
+/// given or have anyway.
 std::vector<std::pair<std::string, std::string>> parameters(const CLI::App& app,
-                                                            const CLI::App& command) {
+                                                            const CLI::App* command) {
     std::vector<std::pair<std::string, std::string>> found;
-    for (const CLI::App* part : {&command, &app}) {
+    for (const CLI::App* part : {command, &app}) {
+        if (part == nullptr) continue;
         for (const CLI::Option* option : part->get_options()) {
-            if (option->get_items_expected_max() == 0 || option->get_name() == "--output" ||
-                option->get_name() == "--attempts" || option->get_name() == "--seed")
+            if (option->get_items_expected_max() == 0 || is_among(*option, options_of_files) ||
+                (command == nullptr && is_among(*option, options_of_starts)))
                 continue;
             const std::string name = option->get_lnames().front();
             const std::string value =
@@ -96,8 +110,33 @@ void Generator::require_understood() const {
     if (app_.get_option("--asvs")->count() == 0) throw UsageError("--asvs is required");
 }
 
+void Generator::require_understood_with_start() const {
+    const Family* named = named_family();
+    if (named) throw UsageError("--from takes no family, but found " + named->command->get_name());
+    const std::vector<std::string> rest = app_.remaining(true);
+    if (!rest.empty()) throw UsageError("--from takes no " + rest.front());
+    for (const char* name : options_of_starts)
+        if (app_.get_option(name)->count() > 0)
+            throw UsageError(std::string(name) +
+                             " has no place beside --from: the start decides it");
+}
+
 GeneratedProblem Generator::draw() const {
     const Family& family = *named_family();
+    return drawn(family.command->get_name(), family.command,
+                 [&](core::Rng& rng) { return family.draw(chain_, rng); });
+}
+
+GeneratedProblem Generator::draw_goal(const core::Problem& problem) const {
+    return drawn("from", nullptr, [&](core::Rng& rng) {
+        core::Problem made = problem;
+        core::draw_goal(made, chain_, rng);
+        return made;
+    });
+}
+
+GeneratedProblem Generator::drawn(const std::string& name, const CLI::App* command,
+                                  const std::function<core::Problem(core::Rng&)>& draw) const {
     core::Rng rng(seed_);
     GeneratedProblem made;
     core::Verdict verdict;
@@ -106,7 +145,7 @@ GeneratedProblem Generator::draw() const {
         const std::size_t attempts = solvable_ ? attempts_ : 1;
         while (attempt < attempts && !verdict.solvable) {
             ++attempt;
-            made.problem = family.draw(chain_, rng);
+            made.problem = draw(rng);
             if (solvable_) verdict = solvability(made.problem, seed_);
         }
     } catch (const std::invalid_argument& error) {
@@ -115,12 +154,12 @@ GeneratedProblem Generator::draw() const {
         throw UsageError(error.what());
     }
     made.generation = {"",
-                       family.command->get_name(),
+                       name,
                        made.problem.asv_count(),
                        made.problem.obstacles.size(),
                        seed_,
                        attempt,
-                       parameters(app_, *family.command),
+                       parameters(app_, command),
                        verdict.solvable,
                        verdict.reason,
                        ASV_VERSION};

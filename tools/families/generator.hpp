@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,17 @@ class Generator {
     /// Draws the problem. Throws UsageError where the options do not go together or leave no room.
     GeneratedProblem draw() const;
 
+    /// Likewise where a start is given and a goal is asked for: no family may be named, and no
+    /// option that the start decides.
+    void require_understood_with_start() const;
+    /// Draws the goal; see core::draw_goal(), whose precondition it has, for what it keeps.
+    GeneratedProblem draw_goal(const core::Problem& problem) const;
+
   private:
     const Family* named_family() const;
+    /// The name stands for the family, whose command there may be.
+    GeneratedProblem drawn(const std::string& name, const CLI::App* command,
+                           const std::function<core::Problem(core::Rng&)>& draw) const;
 
     CLI::App& app_;
     core::ChainOptions chain_;

@@ -99,17 +99,23 @@ Words ompl() {
 }
 
 Words generate() {
-    return {"write a random problem of a family",
-            {"The options of a family stand behind its name; those of all families may stand "
-             "before or behind it."},
-            {{"OUTPUT", "The problem file, as asv-solve reads it."},
-             {"OUTPUT.json", "With --solvable: the verdict and all parameters."}},
-            {{"asv-generate -n 5 --seed 3 -o maze.txt maze", "Draws a maze for five ASVs."},
-             {"asv-generate corridor -n 7 --height-factor 1.1 -o corridor.txt",
-              "Draws a corridor that is hardly higher than the chain must be."},
-             {"asv-generate rooms -n 5 --infeasible fenced -o fenced.txt",
-              "Draws rooms with a fence around the goal, so that there is no path."},
-             {"asv-generate maze --help", "Lists the options of a family."}}};
+    return {
+        "write a random problem of a family",
+        {"The options of a family stand behind its name; those of all families may stand "
+         "before or behind it.",
+         "With --from there is no family: a scenario has the world and the start, and a goal is "
+         "drawn that turns the same way. Lengths of options are those of brooms 0.05 long, and "
+         "grow with the brooms of the scenario."},
+        {{"OUTPUT", "The problem file, as asv-solve reads it; with --from a scenario."},
+         {"OUTPUT.json", "With --solvable: the verdict and all parameters."}},
+        {{"asv-generate -n 5 --seed 3 -o maze.txt maze", "Draws a maze for five ASVs."},
+         {"asv-generate corridor -n 7 --height-factor 1.1 -o corridor.txt",
+          "Draws a corridor that is hardly higher than the chain must be."},
+         {"asv-generate rooms -n 5 --infeasible fenced -o fenced.txt",
+          "Draws rooms with a fence around the goal, so that there is no path."},
+         {"asv-generate --from start.json --seed 2 -o problem.json",
+          "Draws a goal for a scenario that has a start alone."},
+         {"asv-generate maze --help", "Lists the options of a family."}}};
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ std::vector<Mistake> mistakes_of_shapes() {
         {with(shapes, "\"hook\"", "\"ring\""),
          "s.json:3:20: expected \"line\", \"arc\" or \"hook\" at goal.shape, found \"ring\""},
         {with(shapes, ", \"asv_count\": 7", ""),
-         "s.json:1:24: expected the number of ASVs, which two shapes do not tell, at "
+         "s.json:1:24: expected the number of ASVs, which shapes do not tell, at "
          "body.asv_count, found nothing"},
         {with(shapes, "\"asv_count\": 7", "\"asv_count\": 2"),
          "s.json:2:11: expected a shape of 2 ASVs that meets the requirements (2 ASVs enclose no "

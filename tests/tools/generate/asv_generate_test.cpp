@@ -95,6 +95,61 @@ TEST_F(GenerateProgram, ThePlannerIsAskedWhereTheSimpleCheckCannotTell) {
     EXPECT_EQ(record["reason"], "the planner finds a path, which the validator passes");
 }
 
+const std::string start_only = R"({"version": 1, "unit": "m",
+ "body": {"kind": "chain", "broom_length": 20, "minimum_area_factor": 2.8, "asv_count": 5},
+ "bounds": [[0, 0], [400, 400]], "obstacles": [[[180, 0], [200, 250]]],
+ "start": {"shape": "arc", "at": [40, 80], "heading": 0}})";
+
+TEST_F(GenerateProgram, DrawsTheGoalOfAScenarioThatHasAStartAlone) {
+    const std::string from = path("start.json").string();
+    io::write_file(from, start_only);
+    ASSERT_EQ(run("--from " + from + " --seed 4 --solvable --quiet -o p.json"), 0) << message();
+    EXPECT_EQ(message(), "");
+    const io::ProblemFile file = io::read_problem(path("p.json"));
+    EXPECT_EQ(file.unit, "m");
+    EXPECT_EQ(file.problem.asv_count(), 5u);
+    EXPECT_EQ(file.problem.obstacles.size(), 1u);
+    EXPECT_EQ(file.problem.requirements.max_step, 0.4);
+    EXPECT_EQ(test::run_program("asv-validate", {path("p.json").string()}).exit_code, 0);
+    const auto record = nlohmann::json::parse(text("p.json.json"));
+    EXPECT_EQ(record["family"], "from");
+    EXPECT_EQ(record["verdict"], "solvable");
+    EXPECT_FALSE(record["parameters"].contains("asvs"));
+    EXPECT_EQ(record["parameters"]["clearance"], 0.001);
+    const std::string once = text("p.json");
+    ASSERT_EQ(run("-o p.json --seed 4 --from " + from), 0) << message();
+    EXPECT_EQ(text("p.json"), once);
+    ASSERT_EQ(run("-o p.json --seed 5 --from " + from), 0) << message();
+    EXPECT_NE(text("p.json"), once);
+}
+
+TEST_F(GenerateProgram, SaysWhatIsWrongWithAStartOrWhatStandsBesideIt) {
+    const std::string from = path("start.json").string();
+    const auto expect = [&](const std::string& scenario, const std::string& words, int code,
+                            const std::string& said) {
+        io::write_file(from, scenario);
+        EXPECT_EQ(run("--from " + from + " -o p.json" + words), code) << scenario;
+        EXPECT_NE(message().find(said), std::string::npos) << message();
+        EXPECT_FALSE(exists("p.json"));
+    };
+    expect(start_only, " maze", 2, "--from takes no family, but found maze");
+    expect(start_only, " -n 5", 2, "--asvs has no place beside --from");
+    expect(start_only, " --orientation cw", 2, "--orientation has no place beside --from");
+    expect(start_only, " --walls 2", 2, "--from takes no --walls");
+    const auto with = [](const std::string& part, const std::string& other) {
+        std::string scenario = start_only;
+        return scenario.replace(scenario.find(part), part.size(), other);
+    };
+    expect(with("\"start\"", "\"goal\": 7, \"start\""), "", 3, ":4:10: expected no other members");
+    expect(with("[40, 80]", "[170, 80]"), "", 3, "start.json:4: start is not valid: broom ");
+    expect(with("{\"kind\": \"chain\", \"broom_length\": 20, \"minimum_area_factor\": 2.8, "
+                "\"asv_count\": 5}",
+                "{\"kind\": \"chain\", \"broom_length\": 20}"),
+           "", 3, ":2:10: expected the number of ASVs");
+    io::write_file(from, "5\n");
+    EXPECT_EQ(run("maze -n 5 --allow-maps-anywhere -o p.json"), 2);
+}
+
 TEST_F(GenerateProgram, WrongUsageIsNamedAndWritesNothing) {
     const auto expect_usage = [&](const std::string& arguments, const std::string& named) {
         EXPECT_EQ(run(arguments), 2) << arguments;
