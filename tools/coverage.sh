@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# How much of core, geometry, io and tools the tests run, as gcov counts it: builds them without optimisation
-# (preset coverage), runs the tests, prints lines and branches by room, and ends with 1 where a gate is missed.
+# How much of core, geometry, io and tools the tests run, as gcov counts it: builds them (preset coverage; with a
+# little optimisation, without which the tests take six times as long, but functions are inlined only after they are
+# counted), runs the tests, prints lines and branches by room, and ends with 1 where a gate is missed.
 # coverage.sh validation looks at core/validation alone, in a few minutes: the gate of what judges paths, by its
 # own tests. tools/coverage/table.py tells what a branch is; `tools/coverage/table.py build/coverage
 # core/search --missing` then tells which of a room were never taken.
@@ -45,7 +46,7 @@ if $with_pages; then
     cmake --build --preset coverage --target manuals > /dev/null
 fi
 
-# Tests of very many cases, minutes each in so slow a build, which run no line that others do not.
+# Tests of very many cases, which run no line that others do not.
 left_out=(
     '*SaysThatItHasNoMemory*'
     BatchChecker.OneSeedGivesOnePathAndOneCountOnEveryTarget
