@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/model/body.hpp"
+#include "core/model/motion_limits.hpp"
 #include "core/model/requirements.hpp"
 #include "geometry/primitives.hpp"
 
@@ -22,6 +23,8 @@ struct Problem {
     std::vector<Box> obstacles;
     Requirements requirements;
     Body body = AsvChain{};
+    /// For trajectories; no path depends on it.
+    MotionLimits motion_limits = {};
 
     std::size_t asv_count() const { return start.size(); }
     BodyKind body_kind() const { return kind(body); }

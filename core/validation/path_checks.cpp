@@ -4,9 +4,7 @@
 #include <cmath>
 
 namespace asv::core::validation {
-namespace {
 
-/// No ASV is farther than limit from its counterpart.
 Finding check_distances(State from, State to, double limit) {
     Finding worst;
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -17,8 +15,6 @@ Finding check_distances(State from, State to, double limit) {
     }
     return worst;
 }
-
-}  // namespace
 
 Finding check_end(State state, State wanted, const Requirements& requirements) {
     return check_distances(state, wanted, requirements.tolerance);

@@ -6,6 +6,9 @@
 
 namespace asv::core::validation {
 
+/// No ASV is farther than limit from its counterpart. Room: length.
+Finding check_distances(State from, State to, double limit);
+
 /// Every ASV is within the tolerance of where it should be. Room: length.
 Finding check_end(State state, State wanted, const Requirements& requirements);
 

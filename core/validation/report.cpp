@@ -90,9 +90,10 @@ std::string describe_place(Check check, const Offender& offender) {
 }  // namespace
 
 std::string_view name(Check check) {
-    static constexpr std::array<std::string_view, 11> names = {
-        "ends",   "steps",      "cost",         "broom lengths", "convexity",   "area",
-        "bounds", "collisions", "link lengths", "base",          "joint limits"};
+    static constexpr std::array<std::string_view, 15> names = {
+        "ends",         "steps",  "cost",       "broom lengths", "convexity",
+        "area",         "bounds", "collisions", "link lengths",  "base",
+        "joint limits", "times",  "same path",  "speed",         "acceleration"};
     return names[static_cast<std::size_t>(check)];
 }
 
@@ -122,6 +123,14 @@ std::string describe(Check check, const Offender& offender) {
             return "the base has moved" + by;
         case Check::joint_limits:
             return numbered("joint", offender.asv) + " is past its limit" + by + " rad";
+        case Check::times:
+            return "the time does not increase: it changes" + by + " s";
+        case Check::same_path:
+            return asv + " leaves the path" + by;
+        case Check::speed:
+            return asv + " is too fast" + by;
+        case Check::acceleration:
+            return asv + " changes its velocity too fast" + by;
     }
     return {};
 }

@@ -14,7 +14,8 @@ namespace asv::core {
 
 /// The eight of a chain of ASVs in the order in which they are reported, then those of an arm
 /// alone. An arm is checked for ends, steps, cost, link lengths, base, joint limits, bounds,
-/// collisions; a point for ends, steps, cost, bounds, collisions.
+/// collisions; a point for ends, steps, cost, bounds, collisions. The last four are those of a
+/// trajectory, of any body.
 enum class Check {
     ends,
     steps,
@@ -26,11 +27,16 @@ enum class Check {
     collisions,
     link_lengths,
     base,
-    joint_limits
+    joint_limits,
+    times,
+    same_path,
+    speed,
+    acceleration
 };
 inline constexpr std::size_t check_count = 8;  ///< of a chain of ASVs
 
-/// "ends", "steps", "cost", "broom lengths", ..., "link lengths", "base", "joint limits".
+/// "ends", "steps", "cost", "broom lengths", ..., "link lengths", "base", "joint limits",
+/// "times", "same path", "speed", "acceleration".
 std::string_view name(Check check);
 
 /// One violation or, where there is none, the state that comes nearest to one.

@@ -41,6 +41,20 @@ TEST(Describe, SpeaksOfTheBaseAndTheLinksOfAnArm) {
     EXPECT_EQ(describe(Check::joint_limits, offender), "joint 2 is past its limit by 0.0012 rad");
 }
 
+TEST(Describe, SpeaksOfTrajectories) {
+    Offender offender;
+    offender.room = -0.0012;
+    EXPECT_EQ(describe(Check::times, offender),
+              "the time does not increase: it changes by 0.0012 s");
+    offender.asv = 1;
+    EXPECT_EQ(describe(Check::same_path, offender), "ASV 2 leaves the path by 0.0012");
+    EXPECT_EQ(describe(Check::speed, offender), "ASV 2 is too fast by 0.0012");
+    EXPECT_EQ(describe(Check::acceleration, offender),
+              "ASV 2 changes its velocity too fast by 0.0012");
+    offender.body = BodyKind::point;
+    EXPECT_EQ(describe(Check::speed, offender), "the point is too fast by 0.0012");
+}
+
 TEST(Describe, TellsALengthAndTheOneThatIsWanted) {
     Offender offender;
     offender.broom = 1;
