@@ -27,7 +27,7 @@ about() {
     case "$1" in
         problem | solution) echo "-max_len=4096 -timeout=60 -dict=tests/fuzz/dictionaries/numbers.dict" ;;
         settings) echo "-max_len=1024 -timeout=60 -dict=tests/fuzz/dictionaries/numbers.dict" ;;
-        scenario | trees | statistics) echo "-max_len=2048 -timeout=60 -dict=tests/fuzz/dictionaries/json.dict" ;;
+        scenario | trajectory | trees | statistics) echo "-max_len=2048 -timeout=60 -dict=tests/fuzz/dictionaries/json.dict" ;;
         map) echo "-max_len=1024 -timeout=60 -dict=tests/fuzz/dictionaries/map.dict" ;;
         solve) echo "-max_len=128 -timeout=300" ;;
     esac

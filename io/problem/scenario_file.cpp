@@ -6,6 +6,7 @@
 #include "core/chain/arm_kinematics.hpp"
 #include "io/problem/many_steps.hpp"
 #include "io/problem/scenario_ends.hpp"
+#include "io/problem/scenario_limits.hpp"
 #include "io/problem/scenario_map.hpp"
 #include "io/problem/scenario_values.hpp"
 #include "io/problem/thin_walls.hpp"
@@ -47,6 +48,9 @@ class ScenarioReader {
         read_obstacles();
         if (document_.has(root_ / "map")) read_map_of_cells();
         read_body();
+        if (document_.has(root_ / "limits"))
+            problem_.motion_limits =
+                read_motion_limits(document_, root_ / "limits", problem_.asv_count());
         // In the classic format nothing is far enough away.
         if (const auto why = why_so_many_steps(problem_)) warn(goal_, *why);
         return {
@@ -57,11 +61,13 @@ class ScenarioReader {
   private:
     void require_members() const {
         if (options_.start_only)
-            document_.require_members(root_, {"version", "body", "start"},
-                                      {"unit", "bounds", "obstacles", "map", "step", "tolerance"});
+            document_.require_members(
+                root_, {"version", "body", "start"},
+                {"unit", "bounds", "obstacles", "map", "step", "tolerance", "limits"});
         else
-            document_.require_members(root_, {"version", "body", "start", "goal"},
-                                      {"unit", "bounds", "obstacles", "map", "step", "tolerance"});
+            document_.require_members(
+                root_, {"version", "body", "start", "goal"},
+                {"unit", "bounds", "obstacles", "map", "step", "tolerance", "limits"});
     }
 
     double number_or(const char* key, double otherwise, double low) const {

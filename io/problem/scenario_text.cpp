@@ -60,18 +60,32 @@ ordered_json end_of(const core::Problem& problem, bool goal) {
     return array_of(points);
 }
 
+ordered_json to_json(const core::MotionLimits& limits) {
+    ordered_json json = ordered_json::object();
+    if (!limits.speed.empty()) json["speed"] = limits.speed;
+    if (!limits.acceleration.empty()) json["acceleration"] = limits.acceleration;
+    // A list of one is a number for all.
+    for (auto& list : json)
+        if (list.size() == 1) list = ordered_json(list[0]);
+    return json;
+}
+
 }  // namespace
 
 ordered_json scenario_json(const core::Problem& problem) {
     const core::Requirements& required = problem.requirements;
-    return {{"version", scenario_version},
-            {"body", body_of(problem)},
-            {"start", end_of(problem, false)},
-            {"goal", end_of(problem, true)},
-            {"bounds", required.bounded() ? to_json(required.bounds) : ordered_json(nullptr)},
-            {"obstacles", array_of(problem.obstacles)},
-            {"step", required.max_step},
-            {"tolerance", required.tolerance}};
+    ordered_json json = {
+        {"version", scenario_version},
+        {"body", body_of(problem)},
+        {"start", end_of(problem, false)},
+        {"goal", end_of(problem, true)},
+        {"bounds", required.bounded() ? to_json(required.bounds) : ordered_json(nullptr)},
+        {"obstacles", array_of(problem.obstacles)},
+        {"step", required.max_step},
+        {"tolerance", required.tolerance}};
+    if (problem.motion_limits != core::MotionLimits{})
+        json["limits"] = to_json(problem.motion_limits);
+    return json;
 }
 
 std::string format_scenario(const core::Problem& problem, const std::string& unit) {

@@ -12,7 +12,9 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json to_json(const ValidatedPart& part, core::Check check, const core::Offender& offender) {
-    ordered_json object = {{"state", offender.state}, {"line", part.line(check, offender)}};
+    const std::optional<std::size_t> line = part.line(check, offender);
+    ordered_json object = {{"state", offender.state},
+                           {"line", line ? ordered_json(*line) : ordered_json(nullptr)}};
     const auto add = [&](const char* key, const std::optional<std::size_t>& index) {
         if (index) object[key] = *index + 1;
     };

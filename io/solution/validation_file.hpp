@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,15 +10,18 @@
 
 namespace asv::io {
 
-/// The checks of one path or of one state, and where in its file the first state stands.
+/// The checks of one path, of one state or of a trajectory, and where in its file the first state
+/// stands.
 struct ValidatedPart {
-    std::string name;  ///< "path", "start" or "goal"
-    std::size_t first_line = 2;
+    std::string name;  ///< "path", "start", "goal" or "trajectory"
+    /// None where not every state has a line of its own.
+    std::optional<std::size_t> first_line = 2;
     core::ValidationReport report;
 
-    /// The line of the file that the offender stands in.
-    std::size_t line(core::Check check, const core::Offender& offender) const {
-        return check == core::Check::cost ? 1 : first_line + offender.state;
+    /// The line of the file that the offender stands in, where it is known.
+    std::optional<std::size_t> line(core::Check check, const core::Offender& offender) const {
+        if (!first_line) return std::nullopt;
+        return check == core::Check::cost ? 1 : *first_line + offender.state;
     }
 };
 

@@ -17,6 +17,7 @@ void settings(std::string_view input);    ///< a planner's name, then lines KEY=
 void solution(std::string_view input);    ///< a problem file, a line "---", a solution file
 void solve(std::string_view input);       ///< a small problem and options, see small_case.hpp
 void statistics(std::string_view input);  ///< a file of asv-solve --stats
+void trajectory(std::string_view input);  ///< a trajectory of two vehicles
 void trees(std::string_view input);       ///< a file of asv-solve --trees
 
 /// A kind of input by the name of its folder in tests/fuzz/corpus.
@@ -32,6 +33,7 @@ inline constexpr std::array targets = {Target{"map", map},
                                        Target{"solution", solution},
                                        Target{"solve", solve},
                                        Target{"statistics", statistics},
+                                       Target{"trajectory", trajectory},
                                        Target{"trees", trees}};
 
 }  // namespace asv::fuzz

@@ -53,6 +53,15 @@ TEST(Scenario, AChainMayHaveOtherBroomsThanTheClassicOne) {
     EXPECT_EQ(problem.requirements.tolerance, 1e-4);
 }
 
+TEST(Scenario, MotionLimitsAreForAllVehiclesOrForEach) {
+    EXPECT_EQ(read(point).motion_limits, core::MotionLimits{});
+    const std::string limits = R"("limits": {"speed": 1.5, "acceleration": [1, 2, 3]}, "start")";
+    const core::MotionLimits read_back = read(with(arm, "\"start\"", limits)).motion_limits;
+    EXPECT_EQ(read_back, (core::MotionLimits{{1.5}, {1, 2, 3}})) << "base, joint and tip";
+    EXPECT_EQ(read(with(arm, "\"start\"", R"("limits": {}, "start")")).motion_limits,
+              core::MotionLimits{});
+}
+
 TEST(Scenario, AnArmStandsWhereItsAnglesPutIt) {
     const core::Problem problem = read(arm);
     ASSERT_NE(problem.arm(), nullptr);

@@ -25,7 +25,7 @@ std::vector<Mistake> mistakes_of_the_document() {
         {std::string("{}\0}", 4), "s.json:1:3: expected JSON, found \"\\u0000\""},
         {with(point, "\"start\"", "\"stat\": 5, \"start\""),
          "s.json:1:51: expected no other members than version, body, start, goal, unit, bounds, "
-         "obstacles, map, step, tolerance at stat, found 5"},
+         "obstacles, map, step, tolerance, limits at stat, found 5"},
     };
 }
 
@@ -50,6 +50,13 @@ std::vector<Mistake> mistakes_of_the_surroundings() {
     return {
         {with(point, "\"start\"", "\"step\": 0, \"start\""),
          "s.json:1:51: expected a number greater than 0 at step, found 0"},
+        {with(point, "\"start\"", "\"limits\": {\"speed\": 0}, \"start\""),
+         "s.json:1:63: expected a number from 1e-12 to 1e+12 at limits.speed, found 0"},
+        {with(point, "\"start\"", "\"limits\": {\"acceleration\": [1, 2]}, \"start\""),
+         "s.json:1:70: expected a number, or an array of one for each of 1 vehicles at "
+         "limits.acceleration, found [1,2]"},
+        {with(point, "\"start\"", "\"limits\": {\"turn\": 1}, \"start\""),
+         "s.json:1:62: expected no other members than speed, acceleration at limits.turn, found 1"},
         {with(point, "\"start\"", "\"tolerance\": -1, \"start\""),
          "s.json:1:56: expected a number of at least 0 at tolerance, found -1"},
         {with(point, "\"start\"", "\"bounds\": [[0, 0], [0, 1]], \"start\""),

@@ -27,5 +27,16 @@ TEST(FormatScenario, ReadsBackToTheSameNumbers) {
     }
 }
 
+TEST(FormatScenario, TellsTheMotionLimitsThatItKnows) {
+    core::Problem problem = read_problem(test::testcase_file("3ASV.txt")).problem;
+    EXPECT_EQ(format_scenario(problem).find("limits"), std::string::npos);
+    for (const core::MotionLimits& limits :
+         {core::MotionLimits{{1.5}, {0.25, 1, 2}}, core::MotionLimits{{}, {3}}}) {
+        problem.motion_limits = limits;
+        const std::string text = format_scenario(problem);
+        EXPECT_EQ(parse_scenario(text, "s.json", "").problem.motion_limits, limits) << text;
+    }
+}
+
 }  // namespace
 }  // namespace asv::io

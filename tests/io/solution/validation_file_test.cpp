@@ -63,6 +63,13 @@ TEST(ValidationFile, HoldsEveryCheckOfAPath) {
     EXPECT_EQ(part["motion"].at(0)["offenders"], json::array({offender}));
 }
 
+TEST(ValidationFile, ALineThatIsNotKnownIsNull) {
+    core::ValidationReport report;
+    report.checks = {failed_collision()};
+    const json file = written({"p", "s", 0, {{"trajectory", std::nullopt, report}}});
+    EXPECT_TRUE(file["parts"].at(0)["checks"].at(0)["worst"]["line"].is_null());
+}
+
 TEST(ValidationFile, StartAndGoalHaveNoSolution) {
     const json file = written({"p", "", 0, {{"start", 2, {}}, {"goal", 3, {}}}});
     EXPECT_TRUE(file["solution"].is_null());
