@@ -5,6 +5,7 @@
 #include <limits>
 #include <thread>
 
+#include "tools/common/motion_limits_options.hpp"
 #include "tools/common/number_options.hpp"
 #include "tools/common/reading.hpp"
 #include "tools/solve/planner_list.hpp"
@@ -49,6 +50,12 @@ void add_options(CLI::App& app, SolveArguments& arguments) {
     add_numbers(app, arguments.solve);
     app.add_option("--stats", arguments.stats, "Write what the run found and spent as JSON")
         ->type_name("FILE.json");
+    CLI::Option* trajectory =
+        app.add_option("--trajectory", arguments.trajectory,
+                       "Write the path with times, as fast as --speed and --acceleration allow; "
+                       "the ending tells the format, - is CSV on standard output")
+            ->type_name("FILE.csv|.json|.yaml");
+    add_motion_limits(app, arguments.limits, trajectory);
     app.add_option("--trees", arguments.trees,
                    "Write the search trees as JSON; left out where the time limit leaves none")
         ->type_name("FILE.json");

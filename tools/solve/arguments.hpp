@@ -11,7 +11,8 @@ namespace asv::tools {
 
 /// What asv-solve was asked for.
 struct SolveArguments {
-    std::string problem, solution, stats, trees;
+    std::string problem, solution, stats, trajectory, trees;
+    core::MotionLimits limits;  ///< of the trajectory; where an option says nothing, empty
     std::string planner = "auto";
     std::vector<std::string> settings;
     bool markdown = false;

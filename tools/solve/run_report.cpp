@@ -9,7 +9,9 @@
 #include <sys/resource.h>
 
 #include "core/solve/idle_settings.hpp"
+#include "core/trajectory/time_optimal.hpp"
 #include "io/solution/statistics_file.hpp"
+#include "io/solution/trajectory_file.hpp"
 #include "io/solution/trees_file.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/escape.hpp"
@@ -58,10 +60,24 @@ ExitCode code_for(const CutOff& at, SolveStatus status) {
 
 /// What was left out of a run that has its answer.
 std::string left_out(const SolveArguments& arguments, const CutOff& at) {
-    const bool trees = at.stage == Stage::writing_trees;
-    return (at.interrupted ? "interrupted; " : "time limit; ") +
-           (trees ? "--trees " + arguments.trees : "--stats " + arguments.stats) +
-           (at.to_stream ? " was not read to its end" : " is left out");
+    struct Output {
+        Stage stage;
+        std::string option;
+        const std::string& file;
+    };
+    const Output outputs[] = {
+        {Stage::writing_statistics, "--stats ", arguments.stats},
+        {Stage::writing_trajectory, "--trajectory ", arguments.trajectory},
+        {Stage::writing_trees, "--trees ", arguments.trees},
+    };
+    std::string text = at.interrupted ? "interrupted" : "time limit";
+    for (const Output& output : outputs) {
+        if (output.stage < at.stage || output.file.empty()) continue;
+        const bool unread = output.stage == at.stage && at.to_stream;
+        text += "; " + output.option + output.file +
+                (unread ? " was not read to its end" : " is left out");
+    }
+    return text;
 }
 
 }  // namespace
@@ -78,6 +94,13 @@ ExitCode exit_code(SolveStatus status) {
             return ExitCode::interrupted;
     }
     return ExitCode::internal;
+}
+
+double write_trajectory(const SolveArguments& arguments, const core::SolveResult& result) {
+    const core::Trajectory trajectory = core::time_optimal(result.solution->path, arguments.limits);
+    io::write_trajectory(arguments.trajectory, trajectory,
+                         io::trajectory_format(arguments.trajectory).value());
+    return trajectory.duration();
 }
 
 void write_trees(const SolveArguments& arguments, const core::SolveResult& result,
@@ -107,7 +130,8 @@ void write_statistics(const SolveArguments& arguments, const core::Problem& prob
     io::write_statistics(arguments.stats, run);
 }
 
-void report(const SolveArguments& arguments, const core::SolveResult& result) {
+void report(const SolveArguments& arguments, const core::SolveResult& result,
+            std::optional<double> duration) {
     const core::SolveStatistics& spent = result.statistics;
     std::cerr << std::setprecision(4);
     if (!result.solution) {
@@ -125,6 +149,7 @@ void report(const SolveArguments& arguments, const core::SolveResult& result) {
         std::cerr << " (any path has " << spent.steps_lower_bound << " or more)";
     std::cerr << ", first path after " << spent.time_to_first << " s, all " << spent.time_total
               << " s, seed " << arguments.solve.seed << '\n';
+    if (duration) std::cerr << "trajectory: " << *duration << " s\n";
 }
 
 void report_invalid_ends(const SolveArguments& arguments, const io::ProblemFile& file,
@@ -182,8 +207,10 @@ int give_up(const SolveArguments& arguments, const CutOff& at, SolveStatus statu
     end_anyway_after(time_for_readers, code);
     if (!failure.empty()) std::cerr << "asv-solve: " << failure << std::endl;
     if (!arguments.quiet) report(arguments, result);
-    if (!arguments.quiet && !arguments.trees.empty())
-        std::cerr << "asv-solve: --trees " << arguments.trees << " is left out" << std::endl;
+    for (const auto& [option, file] :
+         {std::pair("--trajectory", &arguments.trajectory), std::pair("--trees", &arguments.trees)})
+        if (!arguments.quiet && !file->empty())
+            std::cerr << "asv-solve: " << option << ' ' << *file << " is left out" << std::endl;
     return code;
 }
 

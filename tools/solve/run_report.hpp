@@ -1,12 +1,14 @@
 #pragma once
 
+#include <optional>
+
 #include "core/solve/solve.hpp"
 #include "io/problem/problem_file.hpp"
 #include "tools/solve/arguments.hpp"
 #include "tools/solve/run_watch.hpp"
 
-/// What asv-solve tells of a run: on standard error, in the files of --stats and --trees, and by
-/// its exit code.
+/// What asv-solve tells of a run: on standard error, in the files of --stats, --trajectory and
+/// --trees, and by its exit code.
 
 namespace asv::tools {
 
@@ -15,11 +17,16 @@ ExitCode exit_code(core::SolveStatus status);
 void write_statistics(const SolveArguments& arguments, const core::Problem& problem,
                       const core::SolveResult& result);
 
+/// The path in as short a time as the limits allow; returns how many seconds it takes.
+/// Precondition: the name tells the format, the limits are known and the run has a solution.
+double write_trajectory(const SolveArguments& arguments, const core::SolveResult& result);
+
 void write_trees(const SolveArguments& arguments, const core::SolveResult& result,
                  std::size_t asv_count);
 
-/// One line on standard error.
-void report(const SolveArguments& arguments, const core::SolveResult& result);
+/// One line on standard error, and one for a trajectory of so many seconds.
+void report(const SolveArguments& arguments, const core::SolveResult& result,
+            std::optional<double> duration = {});
 
 /// "FILE:LINE: start is not valid: REASON", one line for each.
 void report_invalid_ends(const SolveArguments& arguments, const io::ProblemFile& file,

@@ -11,7 +11,14 @@
 namespace asv::tools {
 
 /// What asv-solve is at.
-enum class Stage { reading, solving, writing_solution, writing_statistics, writing_trees };
+enum class Stage {
+    reading,
+    solving,
+    writing_solution,
+    writing_statistics,
+    writing_trajectory,
+    writing_trees
+};
 
 /// Why a run is cut off, and what it was at.
 struct CutOff {

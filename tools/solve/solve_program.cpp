@@ -9,10 +9,12 @@
 
 #include "io/problem/problem_file.hpp"
 #include "io/solution/solution_file.hpp"
+#include "io/solution/trajectory_file.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/escape.hpp"
 #include "tools/common/command_line.hpp"
 #include "tools/common/file_roles.hpp"
+#include "tools/common/motion_limits_options.hpp"
 #include "tools/common/progress_line.hpp"
 #include "tools/solve/arguments.hpp"
 #include "tools/solve/run_report.hpp"
@@ -37,12 +39,20 @@ FileRoles roles_of(const Arguments& arguments) {
     roles.add_input("PROBLEM", arguments.problem);
     roles.add_output("SOLUTION", arguments.solution);
     roles.add_output("--stats", arguments.stats);
+    roles.add_output("--trajectory", arguments.trajectory);
     roles.add_output("--trees", arguments.trees);
     return roles;
 }
 
+void require_format(const std::string& trajectory) {
+    if (!trajectory.empty() && !io::trajectory_format(trajectory))
+        throw UsageError("--trajectory " + trajectory +
+                         ": the name has to end in .csv, .json or .yaml");
+}
+
 void require_usable(const Arguments& arguments, const core::Problem& problem) {
-    for (const std::string* output : {&arguments.solution, &arguments.stats, &arguments.trees})
+    for (const std::string* output :
+         {&arguments.solution, &arguments.stats, &arguments.trajectory, &arguments.trees})
         if (!output->empty()) io::require_writable(*output);
     try {
         core::require_usable(arguments.solve.planner, problem.body_kind());
@@ -68,9 +78,11 @@ core::SolveResult solve(const CommandLine& command_line, const Arguments& argume
     return site.solve(arguments, problem, options);
 }
 
-/// The solution first, since it matters most, and the trees last, which are the largest.
-void write_outputs(const Arguments& arguments, const core::Problem& problem,
-                   const core::SolveResult& result, RunWatch& watch) {
+/// The solution first, since it matters most, and the trees last, which are the largest. Returns
+/// the seconds of the trajectory, where one is wanted.
+std::optional<double> write_outputs(const Arguments& arguments, const core::Problem& problem,
+                                    const core::SolveResult& result, RunWatch& watch) {
+    std::optional<double> duration;
     if (result.solution) {
         watch.enter(Stage::writing_solution, is_stream(arguments.solution));
         io::write_solution(arguments.solution, *result.solution);
@@ -79,14 +91,21 @@ void write_outputs(const Arguments& arguments, const core::Problem& problem,
         watch.enter(Stage::writing_statistics, is_stream(arguments.stats));
         write_statistics(arguments, problem, result);
     }
-    if (arguments.trees.empty()) return;
-    watch.enter(Stage::writing_trees, is_stream(arguments.trees));
-    write_trees(arguments, result, problem.asv_count());
+    if (result.solution && !arguments.trajectory.empty()) {
+        watch.enter(Stage::writing_trajectory, is_stream(arguments.trajectory));
+        duration = write_trajectory(arguments, result);
+    }
+    if (!arguments.trees.empty()) {
+        watch.enter(Stage::writing_trees, is_stream(arguments.trees));
+        write_trees(arguments, result, problem.asv_count());
+    }
+    return duration;
 }
 
 ExitCode solve_file(const CommandLine& command_line, Arguments& arguments, const SolveSite& site) {
     arguments.quiet = command_line.quiet();
     arguments.solve.planner = chosen_planner(arguments);
+    require_format(arguments.trajectory);
     FileRoles roles = roles_of(arguments);
     roles.require_distinct();
     std::atomic<core::SolveStatus> status = core::SolveStatus::timeout;
@@ -97,13 +116,16 @@ ExitCode solve_file(const CommandLine& command_line, Arguments& arguments, const
     roles.add_maps(file);
     roles.require_distinct();
     require_usable(arguments, file.problem);
+    if (!arguments.trajectory.empty())
+        arguments.limits = motion_limits(arguments.limits, file.problem);
     warn_of_idle_settings(arguments, file.problem);
     watch.enter(Stage::solving);
     try {
         const core::SolveResult result = solve(command_line, arguments, site, file.problem, watch);
         status = result.status;
-        write_outputs(arguments, file.problem, result, watch);
-        if (!command_line.quiet()) report(arguments, result);
+        const std::optional<double> duration =
+            write_outputs(arguments, file.problem, result, watch);
+        if (!command_line.quiet()) report(arguments, result, duration);
         if (!command_line.quiet() && site.summary)
             std::cerr << "asv-solve: " << site.summary() << '\n';
         return exit_code(result.status);

@@ -4,13 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "core/validation/trajectory/validate_trajectory.hpp"
 #include "core/validation/validate.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/solution/solution_file.hpp"
+#include "io/solution/trajectory_file.hpp"
 #include "io/solution/validation_file.hpp"
 #include "io/text/atomic_file.hpp"
 #include "tools/common/command_line.hpp"
 #include "tools/common/file_roles.hpp"
+#include "tools/common/motion_limits_options.hpp"
 #include "tools/common/number_options.hpp"
 #include "tools/common/reading.hpp"
 
@@ -23,13 +26,22 @@ using asv::io::ValidatedPart;
 using asv::io::ValidationSummary;
 using asv::tools::CommandLine;
 using asv::tools::ExitCode;
+using asv::tools::motion_limits;
 
 constexpr int widest_name = 22;
+constexpr const char* trajectory_part = "trajectory";
+
+/// Checks of steps, each of which is told by its end.
+bool is_of_steps(Check check) {
+    return check == Check::steps || check == Check::times || check == Check::speed;
+}
 
 struct Arguments {
     std::string problem;
     std::string solution;
+    std::string trajectory;
     std::string json;
+    asv::core::MotionLimits limits;  ///< of the trajectory; where an option says nothing, empty
     std::optional<double> tolerance;
     asv::core::ValidationOptions options;  ///< but for the tolerance
     asv::io::ReadOptions reading;
@@ -39,6 +51,7 @@ asv::tools::FileRoles roles_of(const Arguments& arguments) {
     asv::tools::FileRoles roles;
     roles.add_input("PROBLEM", arguments.problem);
     roles.add_input("SOLUTION", arguments.solution);
+    roles.add_input("--trajectory", arguments.trajectory);
     roles.add_output("--json", arguments.json);
     return roles;
 }
@@ -57,6 +70,12 @@ void add_options(CLI::App& app, Arguments& arguments) {
         ->transform(asv::tools::number_from(0));
     app.add_flag("--continuous", arguments.options.continuous,
                  "Also certify the motion between the primitive steps");
+    CLI::Option* trajectory =
+        app.add_option("--trajectory", arguments.trajectory,
+                       "Also check a trajectory of the solution, CSV or JSON: its times, that it "
+                       "keeps to the path, speeds and accelerations; - for standard input")
+            ->type_name("FILE.csv|.json");
+    asv::tools::add_motion_limits(app, arguments.limits, trajectory);
     app.add_option(
            "--json", arguments.json,
            "Write all results to this file as JSON; - for standard output, and the lines for "
@@ -67,9 +86,12 @@ void add_options(CLI::App& app, Arguments& arguments) {
 }
 
 std::string place(const ValidatedPart& part, Check check, const Offender& offender) {
-    std::string text = "line " + std::to_string(part.line(check, offender));
-    if (part.name == "path" && check != Check::cost) {
-        text = "state " + std::to_string(offender.state) + ", " + text;
+    const std::optional<std::size_t> line = part.line(check, offender);
+    std::string text = line ? "line " + std::to_string(*line) : "";
+    const bool numbered = part.name == "path" || part.name == trajectory_part;
+    if (numbered && check != Check::cost) {
+        const std::string state = "state " + std::to_string(offender.state);
+        text = line ? state + ", " + text : state;
     }
     return offender.time ? "on the way to " + text : text;
 }
@@ -79,7 +101,7 @@ void print(std::ostream& out, const ValidatedPart& part, const CheckResult& resu
     out << std::left << std::setw(widest_name) << prefix + std::string(name(result.check))
         << (result.ok() ? "ok      " : "FAILED  ");
     if (!result.ok()) out << result.failures << " of ";
-    const bool of_steps = result.check == Check::steps || !prefix.empty();
+    const bool of_steps = is_of_steps(result.check) || !prefix.empty();
     if (result.check != Check::cost) {
         out << result.states << (of_steps ? " step" : " state")
             << (result.states == 1 ? ": " : "s: ");
@@ -113,12 +135,22 @@ std::vector<ValidatedPart> check(const CommandLine& command_line, const asv::io:
     const auto solution =
         asv::io::read_solution(arguments.solution, problem.asv_count(), &warnings);
     command_line.print(warnings);
-    return {{"path", 2, validate(problem, solution, options)}};
+    std::vector<ValidatedPart> parts = {{"path", 2, validate(problem, solution, options)}};
+    if (arguments.trajectory.empty()) return parts;
+    const auto [trajectory, first_line] =
+        asv::io::read_trajectory(arguments.trajectory, problem.asv_count());
+    parts.push_back({trajectory_part, first_line,
+                     validate_trajectory(problem.body_kind(), solution.path, trajectory,
+                                         motion_limits(arguments.limits, problem), options)});
+    return parts;
 }
 
 ExitCode validate_files(const CommandLine& command_line, const Arguments& arguments) {
     if (arguments.options.continuous && arguments.solution.empty()) {
         throw asv::tools::UsageError("--continuous needs a SOLUTION");
+    }
+    if (!arguments.trajectory.empty() && arguments.solution.empty()) {
+        throw asv::tools::UsageError("--trajectory needs a SOLUTION");
     }
     asv::tools::FileRoles roles = roles_of(arguments);
     roles.require_distinct();
@@ -128,6 +160,8 @@ ExitCode validate_files(const CommandLine& command_line, const Arguments& argume
     command_line.print(file.warnings);
     roles.add_maps(file);
     roles.require_distinct();
+    // Before the path is read and checked, which may take a while.
+    if (!arguments.trajectory.empty()) motion_limits(arguments.limits, file.problem);
     const ValidationSummary summary{
         arguments.problem, arguments.solution,
         arguments.tolerance.value_or(file.problem.requirements.tolerance),

@@ -19,15 +19,17 @@ namespace {
 
 TEST(TimeLimits, EndWhatWaitsForAReader) {
     const TemporaryFolder folder;
-    const std::string pipe = folder / "pipe";
+    const std::string pipe = folder / "pipe.csv";
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     const std::string problem = testcase_file("3ASV.txt"), solution = folder / "s";
-    for (const char* option : {"", "--stats", "--trees"}) {
+    for (const char* option : {"", "--stats", "--trajectory", "--trees"}) {
         SCOPED_TRACE(option);
         const bool of_solution = *option == '\0';
         std::vector<std::string> arguments{
             problem, of_solution ? pipe : solution, "--optimize", "0", "--time-limit", "0.5"};
         if (!of_solution) arguments.insert(arguments.end(), {option, pipe});
+        if (option == std::string("--trajectory"))
+            arguments.insert(arguments.end(), {"--speed", "1", "--acceleration", "1"});
         const Outcome outcome = run_program("asv-solve", arguments);
         EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
         EXPECT_NE(outcome.err.find("time limit"), std::string::npos) << outcome.err;
