@@ -103,7 +103,9 @@ class Bend {
             per_time_slope = 1 / law_time;
         }
         const Turn& turn = greatest_turn(t);
-        double change = std::sqrt(turn.at(t)), change_slope = (turn.b / 2 + t * turn.c) / change;
+        // Rounding may bring it below 0.
+        double change = std::sqrt(std::max(0.0, turn.at(t)));
+        double change_slope = (turn.b / 2 + t * turn.c) / change;
         if (change <= even_change_) {
             change = even_change_;
             change_slope = 0;

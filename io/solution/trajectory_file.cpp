@@ -150,6 +150,10 @@ std::optional<TrajectoryFormat> trajectory_format(const std::filesystem::path& f
 
 void write_trajectory(const std::filesystem::path& file, const Trajectory& trajectory,
                       TrajectoryFormat format) {
+    if (format == TrajectoryFormat::yaml && trajectory.duration() > longest_yaml)
+        throw WriteError(output_name(file) +
+                         ": the trajectory takes longer than the 2147483647 s that a stamp of ROS "
+                         "holds; .csv and .json hold any time");
     write_file(file, format_trajectory(trajectory, format));
 }
 

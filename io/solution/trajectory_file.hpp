@@ -23,11 +23,15 @@ enum class TrajectoryFormat { csv, json, yaml };
 /// By the ending of the name: .csv, .json, .yaml or .yml; "-" is CSV; none for other names.
 std::optional<TrajectoryFormat> trajectory_format(const std::filesystem::path& file);
 
+/// Stamps of ROS hold no more than so many seconds.
+inline constexpr double longest_yaml = 2147483647;
+
 /// The file's text; numbers have the shortest digits that read back to the same number.
-/// Precondition: at least one sample.
+/// Precondition: at least one sample, times increase, as YAML to at most longest_yaml.
 std::string format_trajectory(const core::Trajectory& trajectory, TrajectoryFormat format);
 
-/// Writes the trajectory, whole or not at all. Throws WriteError.
+/// Writes the trajectory, whole or not at all. Throws WriteError, also where YAML cannot hold its
+/// duration.
 void write_trajectory(const std::filesystem::path& file, const core::Trajectory& trajectory,
                       TrajectoryFormat format);
 

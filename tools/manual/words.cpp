@@ -23,6 +23,9 @@ Words solve() {
              "the search or the improvement; the best solution so far is written."},
             {problem_file,
              solution_file,
+             {"Trajectory",
+              "For each sample its time in seconds and, for every vehicle, position, heading in "
+              "radians and speed; in YAML a nav_msgs/Path of ROS for each vehicle."},
              {"Trees", "JSON with a point for ASV 1 in every node; asv-view draws them."},
              {"Statistics", "JSON with times, counts, costs and what any path costs at least."}},
             {{"asv-solve problem.txt solution.txt", "Plans with the default planner."},
@@ -30,6 +33,9 @@ Words solve() {
               "Takes another planner and one of its settings."},
              {"asv-solve problem.txt solution.txt --seed 7 --threads 1",
               "Gives the same file each time, byte for byte."},
+             {"asv-solve problem.txt solution.txt --trajectory t.csv --speed 0.05 "
+              "--acceleration 0.02",
+              "Writes the path with times, too."},
              {"asv-solve --list-planners", "Tells all planners and settings, with sources."}}};
 }
 
@@ -40,7 +46,10 @@ Words validate() {
             {problem_file, solution_file},
             {{"asv-validate problem.txt", "Are the start and the goal of the problem valid?"},
              {"asv-validate problem.txt solution.txt --continuous",
-              "Is the solution valid, between its steps too?"}}};
+              "Is the solution valid, between its steps too?"},
+             {"asv-validate problem.txt solution.txt --trajectory t.csv --speed 0.05 "
+              "--acceleration 0.02",
+              "Does the trajectory keep to the path and the limits?"}}};
 }
 
 Words view() {

@@ -121,7 +121,7 @@ TEST(TimeOptimal, IsAsFastBackwards) {
         const Path path = winding_path(random, 1 + random.below(5), 200);
         const MotionLimits limits{{random.uniform(0.01, 1)}, {random.uniform(0.01, 1)}};
         const double there = checked(path, limits).duration();
-        EXPECT_NEAR(checked(reversed(path), limits).duration(), there, 1e-3 * there) << i;
+        EXPECT_NEAR(checked(reversed(path), limits).duration(), there, 1e-6 * there) << i;
     }
 }
 

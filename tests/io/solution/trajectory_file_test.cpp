@@ -139,6 +139,17 @@ TEST(ReadTrajectory, RefusesNoVehicles) {
     EXPECT_THROW(parse_trajectory("", 0, "t"), std::invalid_argument);
 }
 
+TEST(WriteTrajectory, RefusesStampsThatRosDoesNotHold) {
+    const test::TemporaryFolder folder;
+    Trajectory slow = two_vehicles;
+    slow.times = {0, 1, 2147483647};
+    EXPECT_NO_THROW(write_trajectory(folder / "a.yaml", slow, Format::yaml));
+    slow.times.back() = 2147483648;
+    EXPECT_THROW(write_trajectory(folder / "b.yaml", slow, Format::yaml), WriteError);
+    EXPECT_NO_THROW(write_trajectory(folder / "b.csv", slow, Format::csv));
+    EXPECT_EQ(folder.entries(), 2);
+}
+
 TEST(WriteTrajectory, WritesWhatReadsBack) {
     const test::TemporaryFolder folder;
     write_trajectory(folder / "t.json", two_vehicles, Format::json);
