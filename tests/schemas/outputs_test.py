@@ -65,6 +65,19 @@ def outputs_of_validate():
     expect(sum(not value["valid"] for value in seen["validation"]) >= 9, "too little was not valid")
 
 
+def outputs_of_trajectories():
+    limits = {"speed": 0.1, "acceleration": 1}
+    Path("p.json").write_text(json.dumps({"version": 1, "body": {"kind": "point"}, "start": [0, 0], "goal": [0.002, 0],
+                                          "bounds": None, "limits": limits}))
+    run("asv-solve", "p.json", "s.txt", "--quiet", "--trajectory", "t.json")
+    take("t.json", "trajectory")
+    # Too slow, and laid out otherwise, so that nobody knows a line.
+    Path("t.json").write_text(json.dumps(seen["trajectory"][0], indent=1))
+    run("asv-validate", "p.json", "s.txt", "--trajectory", "t.json", "--speed", 0.01, "--json", "v.json", code=1)
+    take("v.json", "validation")
+    expect(seen["validation"][-1]["parts"][1]["checks"][2]["worst"]["line"] is None, "a line is known")
+
+
 def outputs_of_generate():
     for family in FAMILIES:
         run("asv-generate", "-n", 3, "--seed", 2, "--solvable", "--quiet", "-o", "p.txt", family)
@@ -130,7 +143,7 @@ def main():
     os.environ["PATH"] = f"{programs}:{os.environ['PATH']}"
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        for write in (outputs_of_solve, outputs_of_validate, outputs_of_generate, outputs_of_bench):
+        for write in (outputs_of_solve, outputs_of_validate, outputs_of_trajectories, outputs_of_generate, outputs_of_bench):
             write()
         os.chdir(root)
     for name in schemas:
