@@ -25,7 +25,7 @@ case "$*" in
         # Those first that take long.
         tests=(bench_program search "${tests[@]}" solve programs generate chain_kernels bounds chain geometry
             geometry_kernels model routes shorten solve_threads space benchmark fuzz io io_benchmark
-            generate_program view_program limits)
+            generate_program trajectory view_program limits)
         with_pages=true
         folder=.
         gates+=(--gate ".=$whole_gate")
