@@ -62,8 +62,8 @@ std::vector<Malformed> other_formats() {
          "1:10: expected each member once, found \"a\" again"},
         {"JSON with the name of a member that would write on a terminal",
          R"({"version":1,"body":{},"start":[],"goal":[],"\u001b[31mRED\u0007":1})",
-         "1:1: expected no other members than version, body, start, goal, bounds, obstacles, map, "
-         "step, tolerance at \\x1B[31mRED\\x07, found 1"},
+         "1:1: expected no other members than version, body, start, goal, unit, bounds, obstacles, "
+         "map, step, tolerance, limits at \\x1B[31mRED\\x07, found 1"},
         {"JSON of brackets", "{\"a\":" + std::string(66'000, '[') + std::string(66'000, ']') + "}",
          "1:69: expected at most 64 brackets inside each other, found one more"},
         {"JSON of brackets that are open", "{\"a\":" + std::string(200'000, '['),
