@@ -4,11 +4,11 @@
 # coverage.sh validation looks at core/validation alone, in a few minutes: the gate of what judges paths, by its
 # own tests. tools/coverage/table.py tells what a branch is; `tools/coverage/table.py build/coverage
 # core/search --missing` then tells which of a room were never taken.
-# Not run, so not counted: pages in a browser, the house, the site, Python, OMPL and MPI; programs whose single
-# allocations fail, since gcov's own code ends by a fault when one of its fails; threads and limits of time and of
-# the system, which have their own builds and tests and take long here. A process leaves its counts where
-# it ends in order or by tools/common/end_at_once.hpp, and none where a signal ends it. Whether a test passes is for
-# the other builds to say: so slow a one does not keep the time limits of all; it names those that failed.
+# Not run, so not counted: pages in a browser, the commands in ours, the house, the site, Python, OMPL and MPI;
+# programs whose single allocations fail, since gcov's own code ends by a fault when one of its fails; threads, and
+# limits of time and of the system, which have their own builds and tests and take long here. A process leaves its
+# counts where it ends in order or by tools/common/end_at_once.hpp, and none where a signal ends it. Whether a test
+# passes is for the other builds to say: so slow a one does not keep the time limits of all; it names those that fail.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -17,7 +17,7 @@ validation_gate=100
 whole_gate=90
 
 tests=(validation)
-with_pages=false
+with_manuals=false
 folder=core/validation
 gates=(--gate "core/validation=$validation_gate")
 case "$*" in
@@ -26,7 +26,7 @@ case "$*" in
         tests=(bench_program search "${tests[@]}" solve programs generate chain_kernels bounds chain geometry
             geometry_kernels model routes shorten space benchmark fuzz io io_benchmark
             generate_program trajectory view_program)
-        with_pages=true
+        with_manuals=true
         folder=.
         gates+=(--gate ".=$whole_gate")
         ;;
@@ -41,7 +41,7 @@ cmake --build --preset coverage --target "${tests[@]/#/test_}"
 
 find "$build" -name '*.gcda' -delete
 # The programs write their manuals, anew where this build has them: that counts too.
-if $with_pages; then
+if $with_manuals; then
     rm -rf "$build/share"
     cmake --build --preset coverage --target manuals > /dev/null
 fi
@@ -72,12 +72,10 @@ run_test() {
 }
 export -f run_test
 printf '%s\n' "${tests[@]}" | xargs -P "$(nproc)" -I{} bash -c 'run_test "$@"' - "$build" {}
-# What CTest runs of the programs besides: their manuals, and the commands in our pages; not those of benchmarks,
-# which take long here, nor one of an instruction set that this build does not have.
-if $with_pages; then
-    ctest --test-dir "$build" -j "$(nproc)" --output-on-failure -R '^(manual|docs\.commands)\.' \
-        -E '\.docs_(programs|asv_bench|tutorials_compare_planners)_md' > "$build/pages.log" ||
-        echo "not every page's commands have run, see $build/pages.log"
+# What CTest runs of the programs besides: their manuals.
+if $with_manuals; then
+    ctest --test-dir "$build" -j "$(nproc)" --output-on-failure -R '^manual\.' > "$build/manuals.log" ||
+        echo "not every manual is as it should be, see $build/manuals.log"
 fi
 
 tools/coverage/table.py "$build" "$folder" "${gates[@]}"
