@@ -152,8 +152,8 @@ std::vector<double> read_angles(const JsonDocument& document, const Pointer& at,
     std::vector<double> angles;
     for (std::size_t i = 0; i < arm.links.size(); ++i) {
         const core::JointRange& range = arm.joints[i];
-        const double low = range.wraps ? -largest_number : range.low;
-        const double high = range.wraps ? largest_number : range.high;
+        const double low = range.wraps ? -largest_angle : range.low;
+        const double high = range.wraps ? largest_angle : range.high;
         angles.push_back(document.number(at / i, low, high));
     }
     return angles;

@@ -249,7 +249,10 @@ class ScenarioReader {
         const std::string what = "\"wrap\" or angles [low, high] in radians";
         if (document_.is_text(at) && document_.text(at) == "wrap") return {.wraps = true};
         if (!document_.is_array(at) || document_.array(at).size() != 2) document_.fail(at, what);
-        core::JointRange range{false, any_number(document_, at / 0), any_number(document_, at / 1)};
+        const auto angle = [&](const Pointer& place) {
+            return document_.number(place, -largest_angle, largest_angle);
+        };
+        core::JointRange range{false, angle(at / 0), angle(at / 1)};
         if (range.low > range.high) document_.fail(at, what);
         return range;
     }

@@ -15,11 +15,15 @@ namespace asv::io {
 /// The least number that a length may be: above 0.
 inline constexpr double min_positive = std::numeric_limits<double>::min();
 
+/// A joint angle in radians is at most so large: the sum of as many as an arm may have is one whose
+/// sine is known.
+inline constexpr double largest_angle = 1e6;
+
 /// The elements of the array there; what says in a message what the array should be.
 std::size_t array_size(const JsonDocument& document, const JsonDocument::Pointer& at,
                        const std::string& what);
 
-/// A coordinate, a joint angle: any number up to largest_number in size.
+/// A coordinate: any number up to largest_number in size.
 double any_number(const JsonDocument& document, const JsonDocument::Pointer& at);
 
 /// [x, y].
