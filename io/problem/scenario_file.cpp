@@ -60,14 +60,12 @@ class ScenarioReader {
 
   private:
     void require_members() const {
+        const std::initializer_list<std::string_view> optional{
+            "unit", "bounds", "obstacles", "map", "step", "tolerance", "limits"};
         if (options_.start_only)
-            document_.require_members(
-                root_, {"version", "body", "start"},
-                {"unit", "bounds", "obstacles", "map", "step", "tolerance", "limits"});
+            document_.require_members(root_, {"version", "body", "start"}, optional);
         else
-            document_.require_members(
-                root_, {"version", "body", "start", "goal"},
-                {"unit", "bounds", "obstacles", "map", "step", "tolerance", "limits"});
+            document_.require_members(root_, {"version", "body", "start", "goal"}, optional);
     }
 
     double number_or(const char* key, double otherwise, double low) const {

@@ -41,9 +41,10 @@ std::optional<Drawn> draw_goal(const CommandLine& command_line, const Arguments&
     roles.require_distinct();
     // The classic format has a goal, which does not count.
     file.problem.goal = file.problem.start;
-    for (const asv::core::InvalidEnd& end : asv::core::invalid_ends(file.problem)) {
+    // The goal is the start here, so that the reasons of both are the same.
+    if (const auto invalid = asv::core::invalid_ends(file.problem); !invalid.empty()) {
         std::cerr << asv::io::escaped(asv::io::input_name(arguments.from)) << ':' << file.start_line
-                  << ": start is not valid: " << end.reason << '\n';
+                  << ": start is not valid: " << invalid.front().reason << '\n';
         return std::nullopt;
     }
     GeneratedProblem made = generator.draw_goal(file.problem);

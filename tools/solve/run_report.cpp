@@ -5,11 +5,13 @@
 #include <iomanip>
 #include <iostream>
 #include <sstream>
+#include <stdexcept>
 
 #include <sys/resource.h>
 
 #include "core/solve/idle_settings.hpp"
 #include "core/trajectory/time_optimal.hpp"
+#include "core/validation/trajectory/validate_trajectory.hpp"
 #include "io/solution/statistics_file.hpp"
 #include "io/solution/trajectory_file.hpp"
 #include "io/solution/trees_file.hpp"
@@ -96,8 +98,18 @@ ExitCode exit_code(SolveStatus status) {
     return ExitCode::internal;
 }
 
-double write_trajectory(const SolveArguments& arguments, const core::SolveResult& result) {
-    const core::Trajectory trajectory = core::time_optimal(result.solution->path, arguments.limits);
+double write_trajectory(const SolveArguments& arguments, const core::Problem& problem,
+                        const core::SolveResult& result) {
+    const core::Path& path = result.solution->path;
+    const core::Trajectory trajectory = core::time_optimal(path, arguments.limits);
+    const core::ValidationReport checked =
+        core::validate_trajectory(problem.body_kind(), path, trajectory, arguments.limits,
+                                  {.tolerance = problem.requirements.tolerance});
+    for (const core::CheckResult& check : checked.checks)
+        if (!check.ok())
+            throw std::logic_error("the trajectory fails the check of " +
+                                   std::string(core::name(check.check)) + ": " +
+                                   core::describe(check));
     io::write_trajectory(arguments.trajectory, trajectory,
                          io::trajectory_format(arguments.trajectory).value());
     return trajectory.duration();

@@ -17,9 +17,11 @@ ExitCode exit_code(core::SolveStatus status);
 void write_statistics(const SolveArguments& arguments, const core::Problem& problem,
                       const core::SolveResult& result);
 
-/// The path in as short a time as the limits allow; returns how many seconds it takes.
-/// Precondition: the name tells the format, the limits are known and the run has a solution.
-double write_trajectory(const SolveArguments& arguments, const core::SolveResult& result);
+/// The path in as short a time as the limits allow, which the validator's own code has passed;
+/// returns how many seconds it takes. Precondition: the name tells the format, the limits are known
+/// and the run has a solution. Throws std::logic_error when the validator rejects it (a bug).
+double write_trajectory(const SolveArguments& arguments, const core::Problem& problem,
+                        const core::SolveResult& result);
 
 void write_trees(const SolveArguments& arguments, const core::SolveResult& result,
                  std::size_t asv_count);

@@ -93,7 +93,7 @@ std::optional<double> write_outputs(const Arguments& arguments, const core::Prob
     }
     if (result.solution && !arguments.trajectory.empty()) {
         watch.enter(Stage::writing_trajectory, is_stream(arguments.trajectory));
-        duration = write_trajectory(arguments, result);
+        duration = write_trajectory(arguments, problem, result);
     }
     if (!arguments.trees.empty()) {
         watch.enter(Stage::writing_trees, is_stream(arguments.trees));
