@@ -124,9 +124,12 @@ class Place {
         return out;
     }
 
-    /// A thousand samples for every primitive step, evenly; no ASV moves farther than moved.
+    /// A thousand samples for every primitive step (fewer in a slow build), evenly; no ASV moves
+    /// farther than moved.
     bool sampled_valid(const Row& from, const Row& step, double moved) {
-        const double count = std::ceil(1e6 * moved) + 1;
+        constexpr double primitive_step = 0.001;
+        const auto in_a_step = static_cast<double>(scaled(1000));
+        const double count = std::ceil(moved / primitive_step * in_a_step) + 1;
         for (double first = 0; first <= count; first += geometry::simd::lanes) {
             for (std::size_t lane = 0; lane < geometry::simd::lanes; ++lane) {
                 const double t = std::min(1.0, (first + static_cast<double>(lane)) / count);
