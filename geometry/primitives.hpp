@@ -59,4 +59,9 @@ constexpr Box grown(const Box& box, double margin) {
     return {{box.low.x - margin, box.low.y - margin}, {box.high.x + margin, box.high.y + margin}};
 }
 
+/// With x and y exchanged.
+constexpr Box transposed(const Box& box) {
+    return {{box.low.y, box.low.x}, {box.high.y, box.high.x}};
+}
+
 }  // namespace asv::geometry

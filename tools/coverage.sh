@@ -50,16 +50,25 @@ fi
 left_out=(
     '*SaysThatItHasNoMemory*'
     BatchChecker.OneSeedGivesOnePathAndOneCountOnEveryTarget
+    ExternalPlanner.EndsAreToldApart
     LineCheck.ProvesWhatIsValidAndNothingElse
+    'MemoryLimit.*'
     MotionProof.AThousandSamplesForEveryPrimitiveStepFindNothing
-    Options.ChainsThatFindNoPlaceEndWithNoRoom
+    Ours/EveryPlanner.SolvesAnEasyOne/rrt_star
     Replan.EveryPlannerFindsAPath
+    Resume.ASweepThatIsKilledAgainAndAgainGivesTheSameRows
     RrtStar.PathsGetShorterAsTheBudgetGrows
     'SameBytes.*'
+    SetOfProblems.ASampleIsSolvedAndCostsNoLessThanTheBound
+    SetOfProblems.ThoseWithoutAPathAreNeverReportedSolved
     'Soak.*'
+    Solve.ImprovingNeverCostsMore
     Solve.TheLastCostOfTheHistoryIsThatOfTheSolution
+    'Solve/EachImage.*'
     SolvePlanners.EveryPlannerSolvesAnEasyOne
     SolvePlanners.EverySamplerServesEveryPlanner
+    SolvePlanners.RrtConnectSolvesBySingleSteps
+    SolvePlanners.RrtStarTellsWhenItsFirstPathWasThere
     Vouch.NeverVouchesForWhatCannotBe
 )
 # Each program of tests runs all its tests in one process, as every process takes a while to add its counts.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/bounds/seams.hpp"
+#include "core/bounds/walls.hpp"
 #include "core/model/planning_window.hpp"
 #include "geometry/predicates/segment_box.hpp"
 
@@ -22,12 +23,12 @@ bool body_meets(std::span<const Point> state, const Box& box) {
 
 }  // namespace
 
-geometry::FreePlane make_asv_plane(const Problem& given, Reading reading) {
+geometry::FreePlane make_asv_plane(const Problem& given, Reading reading,
+                                   std::span<const Box> closed) {
     const Problem problem = bounded(given);
     const Requirements& requirements = problem.requirements;
     const double e = requirements.tolerance;
-    const double jump = reading == Reading::literal ? requirements.max_step + e : e;
-    const double shrink = e + jump / 2;
+    const double shrink = reading == Reading::literal ? shrink_for_steps(requirements) : e + e / 2;
     const bool collides = problem.asv_count() > 1 || problem.body_kind() == BodyKind::point;
     if (!collides) return {{}, widened_bounds(requirements)};
     // The seams first: finding them takes most of the memory, and is done before there is more.
@@ -38,6 +39,7 @@ geometry::FreePlane make_asv_plane(const Problem& given, Reading reading) {
         if (body_meets(problem.start, seam.gap) || body_meets(problem.goal, seam.gap)) continue;
         obstacles.boxes.push_back(seam.gap);
     }
+    obstacles.boxes.insert(obstacles.boxes.end(), closed.begin(), closed.end());
     return {obstacles.boxes, obstacles.bounds};
 }
 

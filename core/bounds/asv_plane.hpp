@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "core/model/problem.hpp"
 #include "geometry/free_plane/free_plane.hpp"
 
@@ -22,15 +24,17 @@ enum class Reading {
 /// tolerance in their positions.
 ///
 /// With two or more ASVs, each is an end of a broom, hence never in an obstacle shrunk by the
-/// tolerance e. A straight move of length d between two such places keeps out of the obstacle
-/// shrunk by d / 2 more, since whatever is inside that is farther than d / 2 from all places
-/// outside. By the reading, d is the distance from the given start to the first state, at most e,
-/// or that and each primitive step, at most 0.001 + e. A single ASV has no broom and meets nothing;
-/// a point keeps out of the obstacles like the end of a broom. Not for arms.
+/// tolerance e, and a straight move of length d between two such places keeps out of the obstacle
+/// shrunk by d / 2 more (see shrink_for_steps). By the reading, d is the distance from the given
+/// start to the first state, at most e, or that and each primitive step, at most 0.001 + e. A
+/// single ASV has no broom and meets nothing; a point keeps out of the obstacles like the end of a
+/// broom. Not for arms.
 ///
 /// Seams between obstacles are closed as the reading says, `literal` only those through which no
 /// chain can pass (is_impassable), and never those in which a broom of the start or goal lies.
+/// The boxes of `closed` are obstacles as well, as they are.
 /// Precondition: start and goal are valid states.
-geometry::FreePlane make_asv_plane(const Problem& problem, Reading reading);
+geometry::FreePlane make_asv_plane(const Problem& problem, Reading reading,
+                                   std::span<const Box> closed = {});
 
 }  // namespace asv::core

@@ -1,9 +1,15 @@
 #include "core/bounds/feasibility.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "core/bounds/asv_plane.hpp"
+#include "core/bounds/corridors/low_corridors.hpp"
+#include "core/bounds/seams.hpp"
+#include "core/model/planning_window.hpp"
 #include "geometry/predicates/polygon.hpp"
 
 namespace asv::core {
@@ -51,6 +57,51 @@ std::optional<std::size_t> find_separated(const Problem& problem, Reading readin
     return std::nullopt;
 }
 
+constexpr const char* but_for_tolerance =
+    ", unless it slips through where only the tolerance leaves a way";
+
+std::vector<Box> closed_parts(const std::vector<LowCorridor>& corridors) {
+    std::vector<Box> closed;
+    for (const LowCorridor& corridor : corridors) closed.push_back(corridor.closed);
+    return closed;
+}
+
+/// Do the corridors keep the middle of the chain from its goal?
+bool separate(const std::vector<LowCorridor>& corridors, const Problem& problem, Reading reading) {
+    const std::vector<Box> closed = closed_parts(corridors);
+    const auto plane = [&]() -> geometry::FreePlane {
+        if (reading == Reading::intended) return make_asv_plane(problem, reading, closed);
+        // The proof of a seam speaks of one ASV, which need not be where the middle of the chain
+        // is.
+        const double shrink = shrink_for_steps(problem.requirements);
+        ShrunkObstacles walls = shrink_obstacles(problem, shrink);
+        walls.boxes.insert(walls.boxes.end(), closed.begin(), closed.end());
+        return {walls.boxes, walls.bounds};
+    };
+    geometry::FreePlane space = plane();
+    const Point start = middle_of_chain(problem.start);
+    const Point goal = middle_of_chain(problem.goal);
+    return space.is_free(start) && space.is_free(goal) && !space.connected(start, goal);
+}
+
+/// Those of the corridors without which there would be a way, all of them higher than what the
+/// tolerance opens. All where they are too many to try.
+std::vector<LowCorridor> decisive(std::vector<LowCorridor> corridors, const Problem& problem,
+                                  Reading reading) {
+    constexpr std::size_t most_to_try = 100;
+    if (corridors.size() <= most_to_try) {
+        for (std::size_t i = corridors.size(); i-- > 0;) {
+            std::vector<LowCorridor> others = corridors;
+            others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+            if (separate(others, problem, reading)) corridors = std::move(others);
+        }
+    }
+    std::erase_if(corridors, [&](const LowCorridor& corridor) {
+        return corridor.height <= problem.requirements.tolerance;
+    });
+    return corridors;
+}
+
 }  // namespace
 
 Feasibility check_area(const Problem& problem) {
@@ -80,12 +131,23 @@ Feasibility check_separation(const Problem& problem) {
                                 : "ASV " + std::to_string(proven.value_or(*separated) + 1);
     const std::string separate = "obstacles separate the start of " + who + " from its goal";
     if (proven) return {Infeasibility::separated, proven, separate};
-    return {Infeasibility::separated_as_intended, separated,
-            separate + ", unless it slips through where only the tolerance leaves a way"};
+    return {Infeasibility::separated_as_intended, separated, separate + but_for_tolerance};
+}
+
+Feasibility check_low_corridors(const Problem& given) {
+    const Problem problem = bounded(given);
+    const std::vector<LowCorridor> corridors = find_low_corridors(problem);
+    if (corridors.empty() || !separate(corridors, problem, Reading::intended)) return {};
+    const bool proven = separate(corridors, problem, Reading::literal);
+    const Reading reading = proven ? Reading::literal : Reading::intended;
+    const std::string reason = describe(decisive(corridors, problem, reading), problem);
+    if (proven) return {Infeasibility::corridor_too_low, std::nullopt, reason};
+    return {Infeasibility::separated_as_intended, std::nullopt, reason + but_for_tolerance};
 }
 
 Feasibility check_feasibility(const Problem& problem) {
-    for (const auto& check : {check_area, check_orientation, check_separation}) {
+    for (const auto& check :
+         {check_area, check_orientation, check_separation, check_low_corridors}) {
         Feasibility found = check(problem);
         if (found.cause != Infeasibility::none) return found;
     }

@@ -17,9 +17,12 @@ enum class Infeasibility {
     opposite_orientation,
     /// An ASV's start and goal are in different components of the free space.
     separated,
-    /// Likewise, by Reading::intended. There is no path for a chain that moves continuously and
-    /// does not squeeze between obstacles that touch; the validator might accept one that does or
-    /// that jumps over a thin obstacle.
+    /// The middle of the chain cannot get from its start to its goal but through straight corridors
+    /// that are too low for the chain.
+    corridor_too_low,
+    /// Either of the two, by Reading::intended. There is no path for a chain that moves
+    /// continuously and does not squeeze between obstacles that touch; the validator might accept
+    /// one that does or that jumps over a thin obstacle.
     separated_as_intended
 };
 
@@ -45,6 +48,12 @@ Feasibility check_orientation(const Problem& problem);
 /// found for an arm. Takes up to a second among very many obstacles. Precondition: both are valid
 /// states.
 Feasibility check_separation(const Problem& problem);
+
+/// Is there a way for the middle of the chain once the corridors are closed that are too low for
+/// the chain as a whole (see find_low_corridors)? For other bodies, and where there are no such
+/// corridors, nothing is found, in little time; else it takes as long as check_separation(), once
+/// more for each of up to some hundred corridors. Precondition: both are valid states.
+Feasibility check_low_corridors(const Problem& problem);
 
 /// Looks for a proof that the problem has no solution, the cheapest first. Every cause is proven as
 /// its description says, whatever primitive steps a path is made of.

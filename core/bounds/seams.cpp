@@ -6,48 +6,13 @@
 #include <numbers>
 #include <optional>
 
+#include "core/bounds/walls.hpp"
 #include "geometry/boxes/span.hpp"
 #include "geometry/elementary/functions.hpp"
 
 namespace asv::core {
 
 namespace {
-
-/// An obstacle, or the outside of the bounds beyond one of their sides.
-struct Wall {
-    Box whole;
-    Box shrunk;
-};
-
-bool vanishes(const Box& box) {
-    return box.low.x >= box.high.x || box.low.y >= box.high.y;
-}
-
-/// What is missing for the numbers after a subtraction to be on the safe side of the exact ones.
-double rounding_slack(const Requirements& requirements) {
-    const Box& bounds = requirements.bounds;
-    const double largest = std::max({std::abs(bounds.low.x), std::abs(bounds.low.y),
-                                     std::abs(bounds.high.x), std::abs(bounds.high.y)});
-    return 1e-4 * requirements.tolerance + 1e-15 * largest;
-}
-
-std::vector<Wall> outside(const Box& bounds, const Box& widened) {
-    const double far = bounds.high.x - bounds.low.x + bounds.high.y - bounds.low.y;
-    std::vector<Wall> walls(4, {grown(bounds, far), grown(widened, far)});
-    walls[0].whole.high.x = bounds.low.x;
-    walls[0].shrunk.high.x = widened.low.x;
-    walls[1].whole.low.x = bounds.high.x;
-    walls[1].shrunk.low.x = widened.high.x;
-    walls[2].whole.high.y = bounds.low.y;
-    walls[2].shrunk.high.y = widened.low.y;
-    walls[3].whole.low.y = bounds.high.y;
-    walls[3].shrunk.low.y = widened.high.y;
-    return walls;
-}
-
-Box transposed(const Box& box) {
-    return {{box.low.y, box.low.x}, {box.high.y, box.high.x}};
-}
 
 /// The seam between two walls of which the first is to the left, where they are near enough.
 std::optional<Seam> vertical_seam(const Wall& left, const Wall& right, double tolerance) {
@@ -103,30 +68,25 @@ void add_vertical_seams(const std::vector<Wall>& walls, const Requirements& requ
 
 }  // namespace
 
-Box widened_bounds(const Requirements& requirements) {
-    return grown(requirements.bounds, requirements.tolerance + rounding_slack(requirements));
-}
-
 ShrunkObstacles shrink_obstacles(const Problem& problem, double shrink) {
-    const double slack = rounding_slack(problem.requirements);
-    ShrunkObstacles shrunk;
-    shrunk.bounds = widened_bounds(problem.requirements);
-    shrunk.boxes.reserve(problem.obstacles.size());
+    ShrunkObstacles left;
+    left.bounds = widened_bounds(problem.requirements);
+    left.boxes.reserve(problem.obstacles.size());
     for (const Box& box : problem.obstacles) {
-        const Box smaller = grown(box, -(shrink + slack));
-        if (!vanishes(smaller)) shrunk.boxes.push_back(smaller);
+        const Box smaller = shrunk(box, shrink, problem.requirements);
+        if (!vanishes(smaller)) left.boxes.push_back(smaller);
     }
-    return shrunk;
+    return left;
 }
 
 std::vector<Seam> find_seams(const Problem& problem, double shrink) {
     const Requirements& requirements = problem.requirements;
     const double margin = shrink + rounding_slack(requirements);
     const Box& bounds = requirements.bounds;
-    std::vector<Wall> walls = outside(bounds, widened_bounds(requirements));
+    std::vector<Wall> walls = outside(requirements);
     walls.reserve(walls.size() + problem.obstacles.size());
     for (const Box& box : problem.obstacles) {
-        const Box smaller = grown(box, -margin);
+        const Box smaller = shrunk(box, shrink, requirements);
         if (!vanishes(smaller) && overlap(smaller, bounds)) walls.push_back({box, smaller});
     }
     // Two sides that are the tolerance apart are each shrunk by the margin; twice the tolerance

@@ -25,9 +25,6 @@ struct Seam {
     double depth = 0;  ///< for how long the two run side by side; 0 where only corners meet
 };
 
-/// The bounds, moved outwards by slightly more than the tolerance.
-Box widened_bounds(const Requirements& requirements);
-
 /// Shrinks every side of the obstacles by slightly more than `shrink`, that of the bounds by
 /// slightly more than the tolerance, so that no rounding makes an obstacle too large. Boxes that
 /// vanish are left out. Precondition: shrink >= the tolerance.

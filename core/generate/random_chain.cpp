@@ -101,6 +101,12 @@ std::optional<std::vector<Point>> drawn_place(std::vector<Point> chain, const Bo
 std::vector<Point> draw_end(const Problem& problem, const ChainOptions& options, const Box& region,
                             Orientation orientation, Rng& rng) {
     const double length = problem.requirements.broom_length;
+    const double room =
+        std::max(0.0, region.high.x - region.low.x) * std::max(0.0, region.high.y - region.low.y);
+    if (problem.requirements.min_area(options.asv_count) > room)
+        throw NoRoom(std::to_string(options.asv_count) +
+                     " ASVs have to enclose more than there is where they have to stand; leave "
+                     "more room");
     for (int i = 0; i < shapes_tried; ++i) {
         if (options.asv_count == 1) {
             const auto place = drawn_place({Point{0, 0}}, region, rng);

@@ -23,7 +23,7 @@ void write_generation(const std::filesystem::path& file, const Generation& gener
                                {"seed", generation.seed},
                                {"attempt", generation.attempt},
                                {"parameters", std::move(parameters)},
-                               {"verdict", generation.solvable ? "solvable" : "unknown"},
+                               {"verdict", generation.verdict},
                                {"reason", generation.reason},
                                {"version", generation.version}};
     write_file(file, json.dump(2) + '\n');

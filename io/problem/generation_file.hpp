@@ -9,7 +9,7 @@
 
 namespace asv::io {
 
-/// How a generated problem came about, and what a conservative check says about it.
+/// How a generated problem came about, and whether it is known to have a path.
 struct Generation {
     std::string problem;  ///< name of the problem file
     std::string family;
@@ -18,13 +18,12 @@ struct Generation {
     std::uint64_t seed = 0;
     std::size_t attempt = 1;  ///< which problem of the seed it is, from 1
     std::vector<std::pair<std::string, std::string>> parameters;  ///< options and their values
-    bool solvable = false;                                        ///< false: unknown
+    std::string verdict = "unknown";  ///< or "solvable", or "infeasible"
     std::string reason;
     std::string version;
 };
 
-/// Writes one JSON object, whole or not at all: "verdict" is "solvable" or "unknown". Throws
-/// WriteError.
+/// Writes one JSON object, whole or not at all. Throws WriteError.
 void write_generation(const std::filesystem::path& file, const Generation& generation);
 
 /// Those of the parameters that are numbers, in the order of letters.

@@ -85,13 +85,16 @@ def outputs_of_generate():
         take("p.txt.json", "generation")
     run("asv-generate", "-n", 3, "--infeasible", "turned", "--solvable", "--quiet", "-o", "p.txt", "clutter")
     take("p.txt.json", "generation")
+    # Too low, but shorter than the chain: neither a path nor a proof.
+    run("asv-generate", "-n", 3, "--solvable", "--quiet", "-o", "p.txt", "corridor", "--height-factor", 0.1, "--length", 0.09)
+    take("p.txt.json", "generation")
     scenario = json.loads((CASES / "bodies" / "chain-by-hand.json").read_text())
     del scenario["goal"]
     Path("start.json").write_text(json.dumps(scenario))
     run("asv-generate", "--from", "start.json", "--solvable", "--quiet", "-o", "p.json")
     take("p.json.json", "generation")
     take("p.json", "scenario")
-    expect({value["verdict"] for value in seen["generation"]} == {"solvable", "unknown"}, "not both verdicts")
+    expect({value["verdict"] for value in seen["generation"]} == {"solvable", "infeasible", "unknown"}, "not all verdicts")
 
 
 def outputs_of_bench():

@@ -80,8 +80,9 @@ Generator::Generator(CLI::App& app) : app_(app) {
         ->capture_default_str();
     add_chain_options(app, chain_);
     app.add_flag("--solvable", solvable_,
-                 "Check whether a path is certain to exist and write the verdict, solvable or "
-                 "unknown, with all parameters to OUTPUT.json (nowhere where OUTPUT is -)");
+                 "Check whether a path is certain to exist, or that there is none, and write the "
+                 "verdict, solvable, infeasible or unknown, with all parameters to OUTPUT.json "
+                 "(nowhere where OUTPUT is -)");
     add_count(
         app, "--attempts", attempts_, {1, 1'000'000},
         "With --solvable: draw up to so many problems until one is solvable for certain, else "
@@ -139,30 +140,24 @@ GeneratedProblem Generator::drawn(const std::string& name, const CLI::App* comma
                                   const std::function<core::Problem(core::Rng&)>& draw) const {
     core::Rng rng(seed_);
     GeneratedProblem made;
-    core::Verdict verdict;
+    Solvability known;
     std::size_t attempt = 0;
     try {
         const std::size_t attempts = solvable_ ? attempts_ : 1;
-        while (attempt < attempts && !verdict.solvable) {
+        while (attempt < attempts && known.verdict != Solvability::Verdict::solvable) {
             ++attempt;
             made.problem = draw(rng);
-            if (solvable_) verdict = solvability(made.problem, seed_);
+            if (solvable_) known = solvability(made.problem, seed_);
         }
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     } catch (const core::NoRoom& error) {
         throw UsageError(error.what());
     }
-    made.generation = {"",
-                       name,
-                       made.problem.asv_count(),
-                       made.problem.obstacles.size(),
-                       seed_,
-                       attempt,
-                       parameters(app_, command),
-                       verdict.solvable,
-                       verdict.reason,
-                       ASV_VERSION};
+    made.generation = {
+        "",           name,       made.problem.asv_count(),  made.problem.obstacles.size(),
+        seed_,        attempt,    parameters(app_, command), tools::name(known.verdict),
+        known.reason, ASV_VERSION};
     return made;
 }
 

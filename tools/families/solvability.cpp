@@ -3,6 +3,8 @@
 #include <limits>
 #include <string>
 
+#include "core/bounds/feasibility.hpp"
+#include "core/generate/vouch/vouch.hpp"
 #include "core/solve/solve.hpp"
 
 namespace asv::tools {
@@ -14,25 +16,35 @@ constexpr std::size_t planner_iterations = 3000;
 
 }  // namespace
 
-core::Verdict solvability(const core::Problem& problem, std::uint64_t seed) {
-    core::Verdict verdict = core::vouch(problem);
-    if (verdict.solvable) return verdict;
+std::string name(Solvability::Verdict verdict) {
+    switch (verdict) {
+        case Solvability::Verdict::solvable:
+            return "solvable";
+        case Solvability::Verdict::infeasible:
+            return "infeasible";
+        case Solvability::Verdict::unknown:
+            break;
+    }
+    return "unknown";
+}
+
+Solvability solvability(const core::Problem& problem, std::uint64_t seed) {
+    using Verdict = Solvability::Verdict;
+    const core::Verdict vouched = core::vouch(problem);
+    if (vouched.solvable) return {Verdict::solvable, vouched.reason};
+    const core::Feasibility found = core::check_feasibility(problem);
+    if (found.proven_infeasible()) return {Verdict::infeasible, found.reason};
     core::SolveOptions options;
     options.seed = seed;
     options.optimize = 0;
     options.max_iterations = planner_iterations;
     options.time_limit = std::numeric_limits<double>::max();
     const core::SolveResult result = core::solve(problem, options);
-    if (result.solution) {
-        verdict.solvable = true;
-        verdict.reason = "the planner finds a path, which the validator passes";
-    } else if (result.status == core::SolveStatus::infeasible) {
-        verdict.reason = result.reason;
-    } else {
-        verdict.reason +=
-            "; the planner finds no path in " + std::to_string(planner_iterations) + " iterations";
-    }
-    return verdict;
+    if (result.solution)
+        return {Verdict::solvable, "the planner finds a path, which the validator passes"};
+    if (result.status == core::SolveStatus::infeasible) return {Verdict::unknown, result.reason};
+    return {Verdict::unknown, vouched.reason + "; the planner finds no path in " +
+                                  std::to_string(planner_iterations) + " iterations"};
 }
 
 }  // namespace asv::tools

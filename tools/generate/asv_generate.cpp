@@ -84,9 +84,8 @@ ExitCode generate(CommandLine& command_line, const Generator& generator,
     if (!generator.wants_verdict()) return ExitCode::done;
     if (!verdict_file.empty()) asv::io::write_generation(verdict_file, generation);
     if (!command_line.quiet())
-        std::cerr << asv::io::escaped(asv::io::output_name(output)) << ": "
-                  << (generation.solvable ? "solvable" : "unknown") << ": " << generation.reason
-                  << '\n';
+        std::cerr << asv::io::escaped(asv::io::output_name(output)) << ": " << generation.verdict
+                  << ": " << generation.reason << '\n';
     return ExitCode::done;
 }
 

@@ -10,14 +10,6 @@ namespace asv::core {
 using geometry::Box;
 using geometry::Point;
 
-namespace {
-
-Box transposed(const Box& box) {
-    return {{box.low.y, box.low.x}, {box.high.y, box.high.x}};
-}
-
-}  // namespace
-
 Corridors::Corridors(std::span<const Box> boxes, const Box& bounds, double widest) {
     // The sides of the bounds are obstacles too: boxes of no thickness.
     std::vector<Box> walls(boxes.begin(), boxes.end());
@@ -27,7 +19,7 @@ Corridors::Corridors(std::span<const Box> boxes, const Box& bounds, double wides
     walls.push_back({{bounds.low.x, bounds.high.y}, bounds.high});
     for (const bool vertical : {false, true}) {
         std::vector<Box> view(walls);
-        if (vertical) std::transform(view.begin(), view.end(), view.begin(), transposed);
+        if (vertical) std::transform(view.begin(), view.end(), view.begin(), geometry::transposed);
         const geometry::BoxIndex index(view);
         for (std::size_t i = 0; i < view.size(); ++i) {
             // What lies above box i, over its whole width and up to the widest corridor.

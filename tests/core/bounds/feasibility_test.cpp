@@ -9,24 +9,14 @@
 
 #include "core/bounds/seams.hpp"
 #include "core/validation/validate.hpp"
+#include "tests/kit/chains/problems.hpp"
 #include "tests/kit/chains/wall_of_two.hpp"
 
 namespace asv::core {
 namespace {
 
-Problem mirrored(Problem problem) {
-    for (auto* state : {&problem.start, &problem.goal}) {
-        for (Point& point : *state) point.x = 1 - point.x;
-    }
-    for (Box& box : problem.obstacles)
-        box = {{1 - box.high.x, box.low.y}, {1 - box.low.x, box.high.y}};
-    return problem;
-}
-
-Problem reversed(Problem problem) {
-    std::swap(problem.start, problem.goal);
-    return problem;
-}
+using test::mirrored;
+using test::reversed;
 
 /// A wall in one piece across the square.
 Problem walled_off(std::size_t asv_count) {

@@ -16,6 +16,26 @@ core::Problem problem(Points start, Points goal, std::vector<Box> obstacles) {
     return result;
 }
 
+core::Problem mirrored(core::Problem problem) {
+    for (auto* state : {&problem.start, &problem.goal})
+        for (Point& point : *state) point.x = 1 - point.x;
+    for (Box& box : problem.obstacles)
+        box = {{1 - box.high.x, box.low.y}, {1 - box.low.x, box.high.y}};
+    return problem;
+}
+
+core::Problem transposed(core::Problem problem) {
+    for (auto* state : {&problem.start, &problem.goal})
+        for (Point& point : *state) std::swap(point.x, point.y);
+    for (Box& box : problem.obstacles) box = geometry::transposed(box);
+    return problem;
+}
+
+core::Problem reversed(core::Problem problem) {
+    std::swap(problem.start, problem.goal);
+    return problem;
+}
+
 std::vector<Box> clutter(core::Rng& rng, std::size_t count, double size,
                          const core::Problem& around) {
     constexpr double room = 0.003;

@@ -15,6 +15,15 @@ using geometry::Box;
 /// A problem from one place to another in the unit square.
 core::Problem problem(Points start, Points goal, std::vector<Box> obstacles = {});
 
+/// Left and right exchanged, in the unit square.
+core::Problem mirrored(core::Problem problem);
+
+/// x and y exchanged.
+core::Problem transposed(core::Problem problem);
+
+/// Start and goal exchanged.
+core::Problem reversed(core::Problem problem);
+
 /// Random boxes with sides from 0.01 to `size` that do not meet start or goal with some room.
 std::vector<Box> clutter(core::Rng& rng, std::size_t count, double size,
                          const core::Problem& around);

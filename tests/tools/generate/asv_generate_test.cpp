@@ -81,11 +81,18 @@ TEST_F(GenerateProgram, VerdictIsInTheSideFile) {
 
     ASSERT_EQ(run("corridor -n 5 --height-factor 0.9 --solvable --attempts 2 --quiet -o q.txt"), 0);
     record = nlohmann::json::parse(text("q.txt.json"));
-    EXPECT_EQ(record["verdict"], "unknown");
+    EXPECT_EQ(record["verdict"], "infeasible");
     EXPECT_EQ(record["attempt"], 2);
     EXPECT_EQ(record["parameters"]["height-factor"], 0.9);
-    EXPECT_NE(record["reason"], "");
+    EXPECT_TRUE(record["reason"].get<std::string>().starts_with(
+        "no chain of 5 ASVs passes the corridor between obstacles 1 and 2: "));
     EXPECT_EQ(message(), "");
+
+    // Shorter than the chain, which the proof does not cover.
+    ASSERT_EQ(run("corridor -n 5 --height-factor 0.3 --length 0.15 --solvable -o r.txt"), 0);
+    record = nlohmann::json::parse(text("r.txt.json"));
+    EXPECT_EQ(record["verdict"], "unknown");
+    EXPECT_NE(record["reason"], "");
 }
 
 TEST_F(GenerateProgram, ThePlannerIsAskedWhereTheSimpleCheckCannotTell) {
