@@ -102,6 +102,35 @@ std::vector<LowCorridor> decisive(std::vector<LowCorridor> corridors, const Prob
     return corridors;
 }
 
+/// Are start and goal of every ASV in one component of the free space?
+Feasibility check_components(const Problem& problem) {
+    // What is closed in the literal reading is closed in the intended one as well.
+    const auto separated = find_separated(problem, Reading::intended);
+    if (!separated) return {};
+    const auto proven = find_separated(problem, Reading::literal);
+    const std::string who = problem.body_kind() == BodyKind::point
+                                ? "the point"
+                                : "ASV " + std::to_string(proven.value_or(*separated) + 1);
+    const std::string separate = "obstacles separate the start of " + who + " from its goal";
+    if (proven) return {Infeasibility::separated, proven, separate};
+    return {Infeasibility::separated_as_intended, separated, separate + but_for_tolerance};
+}
+
+/// Is there a way for the middle of the chain once the corridors are closed that are too low?
+/// Precondition: the problem has bounds.
+Feasibility check_low_corridors(const Problem& problem) {
+    const std::vector<LowCorridor> corridors = find_low_corridors(problem);
+    if (corridors.empty() || !separate(corridors, problem, Reading::intended)) return {};
+    const bool proven = separate(corridors, problem, Reading::literal);
+    const Reading reading = proven ? Reading::literal : Reading::intended;
+    const std::vector<LowCorridor> in_the_way = decisive(corridors, problem, reading);
+    const std::string reason = in_the_way.empty()
+                                   ? "obstacles separate the middle of the chain from its goal"
+                                   : describe(in_the_way, problem);
+    if (proven) return {Infeasibility::corridor_too_low, std::nullopt, reason};
+    return {Infeasibility::separated_as_intended, std::nullopt, reason + but_for_tolerance};
+}
+
 }  // namespace
 
 Feasibility check_area(const Problem& problem) {
@@ -122,32 +151,15 @@ Feasibility check_orientation(const Problem& problem) {
 
 Feasibility check_separation(const Problem& problem) {
     if (problem.body_kind() == BodyKind::arm) return {};
-    // What is closed in the literal reading is closed in the intended one as well.
-    const auto separated = find_separated(problem, Reading::intended);
-    if (!separated) return {};
-    const auto proven = find_separated(problem, Reading::literal);
-    const std::string who = problem.body_kind() == BodyKind::point
-                                ? "the point"
-                                : "ASV " + std::to_string(proven.value_or(*separated) + 1);
-    const std::string separate = "obstacles separate the start of " + who + " from its goal";
-    if (proven) return {Infeasibility::separated, proven, separate};
-    return {Infeasibility::separated_as_intended, separated, separate + but_for_tolerance};
-}
-
-Feasibility check_low_corridors(const Problem& given) {
-    const Problem problem = bounded(given);
-    const std::vector<LowCorridor> corridors = find_low_corridors(problem);
-    if (corridors.empty() || !separate(corridors, problem, Reading::intended)) return {};
-    const bool proven = separate(corridors, problem, Reading::literal);
-    const Reading reading = proven ? Reading::literal : Reading::intended;
-    const std::string reason = describe(decisive(corridors, problem, reading), problem);
-    if (proven) return {Infeasibility::corridor_too_low, std::nullopt, reason};
-    return {Infeasibility::separated_as_intended, std::nullopt, reason + but_for_tolerance};
+    const Feasibility of_asvs = check_components(problem);
+    if (of_asvs.proven_infeasible()) return of_asvs;
+    const Feasibility of_middle = check_low_corridors(bounded(problem));
+    const bool says_more = of_middle.proven_infeasible() || of_asvs.cause == Infeasibility::none;
+    return says_more ? of_middle : of_asvs;
 }
 
 Feasibility check_feasibility(const Problem& problem) {
-    for (const auto& check :
-         {check_area, check_orientation, check_separation, check_low_corridors}) {
+    for (const auto& check : {check_area, check_orientation, check_separation}) {
         Feasibility found = check(problem);
         if (found.cause != Infeasibility::none) return found;
     }

@@ -44,16 +44,11 @@ Feasibility check_area(const Problem& problem);
 /// Do start and goal turn in one direction? Precondition: both are valid states.
 Feasibility check_orientation(const Problem& problem);
 
-/// Are start and goal of every ASV, or of the point, in one component of the free space? Nothing is
-/// found for an arm. Takes up to a second among very many obstacles. Precondition: both are valid
-/// states.
+/// Are start and goal of every ASV, or of the point, in one component of the free space, and start
+/// and goal of the middle of the chain in one of what is left of it by corridors that are too low
+/// for the chain as a whole (see find_low_corridors)? Nothing is found for an arm. Takes up to a
+/// second among very many obstacles, or for 100 ASVs. Precondition: both are valid states.
 Feasibility check_separation(const Problem& problem);
-
-/// Is there a way for the middle of the chain once the corridors are closed that are too low for
-/// the chain as a whole (see find_low_corridors)? For other bodies, and where there are no such
-/// corridors, nothing is found, in little time; else it takes as long as check_separation(), once
-/// more for each of up to some hundred corridors. Precondition: both are valid states.
-Feasibility check_low_corridors(const Problem& problem);
 
 /// Looks for a proof that the problem has no solution, the cheapest first. Every cause is proven as
 /// its description says, whatever primitive steps a path is made of.

@@ -13,6 +13,10 @@ namespace {
 /// So many fill the strip. Enough to come within a thousandth of the flattest chain.
 constexpr std::size_t rows = 256;
 
+/// Of longer chains height times length is said instead: it is nearly sharp, and they would take
+/// seconds.
+constexpr std::size_t most_asvs_in_rows = 100;
+
 /// Far more than what the sums of some hundred positive numbers lose by rounding, and far
 /// less than what the rows lose.
 constexpr double rounding_of_sums = 1e-12;
@@ -70,6 +74,8 @@ double most_along_chain(std::size_t asv_count, const std::vector<double>& along,
 }  // namespace
 
 double max_area_between_walls(std::size_t asv_count, double longest_broom, double height) {
+    if (asv_count > most_asvs_in_rows)
+        return height * longest_broom * static_cast<double>(asv_count - 1) * (1 + rounding_of_sums);
     const double row_height = height * (1 + rounding_of_sums) / static_cast<double>(rows);
     const std::vector<double> along = farthest_along(longest_broom, row_height);
     // How many rows m is below the upper wall: at most one, then from `last` to `ends`.
@@ -86,21 +92,21 @@ double height_without_chains(std::size_t asv_count, const Requirements& requirem
     const double required = requirements.min_area(asv_count) - requirements.tolerance;
     if (asv_count < 3 || !(required > 0)) return 0;
     const double broom = requirements.broom_length + requirements.tolerance;
-    // A strip as long as the chain that has no more area than is required.
+    const auto area_at = [&](double height) {
+        return max_area_between_walls(asv_count, broom, height);
+    };
+    // A strip as long as the chain that has no more area than is required. The area grows about as
+    // the height does, so that the next guess is nearly right.
     const double length = broom * static_cast<double>(asv_count - 1);
-    double low = required / length * (1 - 1e-9);
-    double high = 2 * low;
-    while (max_area_between_walls(asv_count, broom, high) < required) {
-        low = high;
-        high *= 2;
-        if (high > length) return low;
+    double proven = required / length * (1 - 1e-9);
+    double guess = proven;
+    constexpr int guesses = 6;
+    for (int i = 0; i < guesses && guess < length; ++i) {
+        const double area = area_at(guess);
+        if (area < required) proven = std::max(proven, guess);
+        guess *= required / area * (1 - 1e-5);
     }
-    constexpr int halvings = 12;
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = (low + high) / 2;
-        (max_area_between_walls(asv_count, broom, middle) < required ? low : high) = middle;
-    }
-    return low;
+    return proven;
 }
 
 }  // namespace asv::core

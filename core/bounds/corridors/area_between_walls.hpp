@@ -20,8 +20,9 @@ namespace asv::core {
 /// some intervals, and for each of them a dynamic programme goes along the chain: from a start
 /// between 0 and the upper wall to an end between -1 times that and 0, through any heights in
 /// between that are in the strip for some m of the interval. The heights are divided into rows, and
-/// each pair of rows adds what it can add at most. A finer division gives less: it is some
-/// 3 / (rows * brooms) of the area.
+/// each pair of rows adds what it can add at most.
+///
+/// Of more than 100 ASVs height * length is returned, which is nearly as sharp.
 ///
 /// Cost: some 10 * rows^2 * brooms operations. Preconditions: asv_count >= 2, longest_broom > 0,
 /// height > 0.
@@ -29,7 +30,7 @@ double max_area_between_walls(std::size_t asv_count, double longest_broom, doubl
 
 /// No valid chain of so many ASVs lies in a strip that is no higher; 0 where nothing is proven. At
 /// most 0.3 % below the height at which the flattest chain has the area that is required, tolerance
-/// included. Cost: some twenty of the above.
+/// included. Cost: six of the above.
 double height_without_chains(std::size_t asv_count, const Requirements& requirements);
 
 }  // namespace asv::core

@@ -1,8 +1,9 @@
 #include "core/bounds/corridors/low_corridors.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
-#include <map>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -29,7 +30,8 @@ class LowCorridors {
           broom_(requirements_.broom_length + tolerance_),
           half_chain_(broom_ * static_cast<double>(asv_count_ - 1) / 2),
           required_area_((requirements_.min_area(asv_count_) - requirements_.tolerance) *
-                         (1 - 1e-9)) {
+                         (1 - 1e-9)),
+          too_low_(required_area_ / (2 * half_chain_) * (1 - 1e-9)) {
         for (const Wall& wall : outside(requirements_)) walls_.push_back({wall, std::nullopt});
         for (std::size_t i = 0; i < problem.obstacles.size(); ++i)
             add_wall(problem.obstacles[i], i);
@@ -93,26 +95,37 @@ class LowCorridors {
         found_.push_back(corridor);
     }
 
+    /// Asks for the area only where no lower or higher corridor has told it already.
     bool is_too_low(double height) {
-        if (height * 2 * half_chain_ < required_area_) return true;
-        const auto [known, is_new] = too_low_.try_emplace(height);
-        if (is_new)
-            known->second = max_area_between_walls(asv_count_, broom_, height) < required_area_;
-        return known->second;
+        if (height <= too_low_) return true;
+        if (height >= high_enough_) return false;
+        const bool found = max_area_between_walls(asv_count_, broom_, height) < required_area_;
+        (found ? too_low_ : high_enough_) = height;
+        return found;
     }
 
     const Requirements& requirements_;
     std::size_t asv_count_;
     double tolerance_, step_, broom_, half_chain_, required_area_;
     std::vector<NumberedWall> walls_;
-    std::map<double, bool> too_low_;  ///< by height
+    double too_low_;  ///< the greatest height known to be; at first that of a strip of the area
+    double high_enough_ = std::numeric_limits<double>::infinity();  ///< or nothing is proven
     std::vector<LowCorridor> found_;
 };
 
+/// To five digits.
 std::string short_number(double value) {
     std::ostringstream text;
-    text << std::setprecision(4) << value;
+    text << std::setprecision(5) << value;
     return text.str();
+}
+
+/// Likewise, but never more than it is.
+std::string rounded_down(double value) {
+    double unit = 1;
+    while (unit * 1e4 > value) unit /= 10;
+    while (unit * 1e5 <= value) unit *= 10;
+    return short_number(std::floor(value / unit) * unit);
 }
 
 /// "between obstacles 2 and 3", "between obstacle 4 and the upper border".
@@ -148,8 +161,8 @@ std::vector<LowCorridor> find_low_corridors(const Problem& problem) {
 std::string describe(const std::vector<LowCorridor>& corridors, const Problem& problem) {
     const Requirements& requirements = problem.requirements;
     const double least = height_without_chains(problem.asv_count(), requirements);
-    std::string needed =
-        short_number(std::max(0.0, least - 2 * requirements.tolerance)) + " is needed";
+    // Corridors that are named are too low, so that this is above 0.
+    const std::string needed = rounded_down(least - 2 * requirements.tolerance) + " is needed";
     std::string sentence =
         "no chain of " + std::to_string(problem.asv_count()) + " ASVs passes the ";
     if (corridors.size() == 1)

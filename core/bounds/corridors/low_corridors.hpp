@@ -47,7 +47,7 @@ std::vector<LowCorridor> find_low_corridors(const Problem& problem);
 
 /// One sentence that names the corridors, with numbers from 1, and the height that is needed at
 /// least: "no chain of 7 ASVs passes the corridor between obstacles 2 and 3: it is 0.0213 high, and
-/// 0.02257 is needed".
+/// 0.022576 is needed". Precondition: there are some, all higher than 0.
 std::string describe(const std::vector<LowCorridor>& corridors, const Problem& problem);
 
 }  // namespace asv::core

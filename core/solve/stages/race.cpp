@@ -76,8 +76,7 @@ class Race {
         const bool worth_it = call_.clock.time_limit() > 10 * easy;
         if (!looked_for_proof_ && worth_it && call_.clock.elapsed() > easy) {
             looked_for_proof_ = true;
-            Feasibility proof = check_separation(call_.problem);
-            if (proof.cause == Infeasibility::none) proof = check_low_corridors(call_.problem);
+            const Feasibility proof = check_separation(call_.problem);
             if (proof.cause != Infeasibility::none) {
                 race_.infeasible = proof.reason;
                 stop_.request_stop();

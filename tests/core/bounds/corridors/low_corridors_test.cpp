@@ -41,13 +41,13 @@ void expect_too_low(const Problem& problem, const std::string& reason) {
 
 TEST(LowCorridors, AreTheReasonThatThereIsNoPath) {
     const Problem problem = corridor_of(7, 0.95);
-    const std::string needed = ", and 0.02257 is needed";
+    const std::string needed = ", and 0.022576 is needed";
     const std::string between = "no chain of 7 ASVs passes the corridor between obstacles ";
-    const std::string high = between + "1 and 2: it is 0.02153 high" + needed;
+    const std::string high = between + "1 and 2: it is 0.021526 high" + needed;
     expect_too_low(problem, high);
     expect_too_low(mirrored(problem), high);
     expect_too_low(reversed(problem), high);
-    expect_too_low(transposed(problem), between + "1 and 2: it is 0.02153 wide" + needed);
+    expect_too_low(transposed(problem), between + "1 and 2: it is 0.021526 wide" + needed);
     Problem backwards = problem;
     for (auto* state : {&backwards.start, &backwards.goal}) std::ranges::reverse(*state);
     expect_too_low(backwards, high);
@@ -87,7 +87,7 @@ Problem two_corridors(double lower, double upper) {
 TEST(LowCorridors, AllHaveToBeLow) {
     expect_too_low(two_corridors(0.02, 0.015),
                    "no chain of 7 ASVs passes the corridors between obstacles 1 and 2 (0.02 high) "
-                   "and between obstacles 2 and 3 (0.015 high): 0.02257 is needed");
+                   "and between obstacles 2 and 3 (0.015 high): 0.022576 is needed");
     EXPECT_EQ(check_feasibility(two_corridors(0.02, 0.023)).cause, Infeasibility::none);
     EXPECT_EQ(check_feasibility(two_corridors(0.023, 0.015)).cause, Infeasibility::none);
 }
@@ -101,7 +101,7 @@ TEST(LowCorridors, OnlyThoseAreNamedThatAreInTheWay) {
     EXPECT_GT(find_low_corridors(problem).size(), find_low_corridors(corridor_of(7, 0.95)).size());
     expect_too_low(problem,
                    "no chain of 7 ASVs passes the corridor between obstacles 1 and 2: it is "
-                   "0.02153 high, and 0.02257 is needed");
+                   "0.021526 high, and 0.022576 is needed");
 }
 
 TEST(LowCorridors, MayBeAlongTheBorder) {
@@ -109,7 +109,7 @@ TEST(LowCorridors, MayBeAlongTheBorder) {
     const Box block = problem.obstacles[0];
     problem.obstacles = {{{block.low.x, 0.02}, {block.high.x, 1}}};
     const std::string name = "no chain of 7 ASVs passes the corridor between obstacle 1 and the ";
-    const std::string numbers = " border: it is 0.02 high, and 0.02257 is needed";
+    const std::string numbers = " border: it is 0.02 high, and 0.022576 is needed";
     expect_too_low(problem, name + "lower" + numbers);
     problem.obstacles = {{{block.low.x, 0}, {block.high.x, 0.98}}};
     expect_too_low(problem, name + "upper" + numbers);
@@ -143,8 +143,8 @@ TEST(LowCorridors, SolveTellsThem) {
     const SolveResult result = solve(corridor_of(7, 0.95));
     EXPECT_EQ(result.status, SolveStatus::infeasible);
     EXPECT_EQ(result.reason,
-              "no chain of 7 ASVs passes the corridor between obstacles 1 and 2: it is 0.02153 "
-              "high, and 0.02257 is needed");
+              "no chain of 7 ASVs passes the corridor between obstacles 1 and 2: it is 0.021526 "
+              "high, and 0.022576 is needed");
 }
 
 TEST(LowCorridors, AreNeverAReasonWhereThereIsAPath) {
