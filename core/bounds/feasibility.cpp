@@ -127,8 +127,9 @@ Feasibility check_low_corridors(const Problem& problem) {
     const std::string reason = in_the_way.empty()
                                    ? "obstacles separate the middle of the chain from its goal"
                                    : describe(in_the_way, problem);
-    if (proven) return {Infeasibility::corridor_too_low, std::nullopt, reason};
-    return {Infeasibility::separated_as_intended, std::nullopt, reason + but_for_tolerance};
+    const std::vector<Box> closed = closed_parts(in_the_way);
+    if (proven) return {Infeasibility::corridor_too_low, std::nullopt, reason, closed};
+    return {Infeasibility::separated_as_intended, std::nullopt, reason + but_for_tolerance, closed};
 }
 
 }  // namespace

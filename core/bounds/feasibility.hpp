@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/model/problem.hpp"
 
@@ -30,6 +31,9 @@ struct Feasibility {
     Infeasibility cause = Infeasibility::none;
     std::optional<std::size_t> asv;  ///< 0-based, where one ASV is the reason
     std::string reason;              ///< one sentence with 1-based numbers; empty when none
+    /// Where corridors are the reason: the places in them that the middle of the chain cannot be
+    /// at.
+    std::vector<Box> closed = {};
 
     /// Is it proven that the validator accepts no path, not even one that jumps or squeezes?
     bool proven_infeasible() const {

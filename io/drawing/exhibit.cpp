@@ -53,6 +53,13 @@ std::optional<std::size_t> find_tightest(const std::vector<StateMeasures>& measu
     return static_cast<std::size_t>(least - measures.begin());
 }
 
+/// Why there is no path, where that is known in little time and memory.
+core::Feasibility feasibility_of(const ExhibitInput& input, bool valid_ends) {
+    constexpr std::size_t most_obstacles = 20'000;
+    if (input.solution || !valid_ends || input.problem.obstacles.size() > most_obstacles) return {};
+    return core::check_feasibility(input.problem);
+}
+
 std::string counted(std::size_t count, const std::string& what) {
     return grouped(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -68,6 +75,7 @@ std::string body_of(const core::Problem& problem) {
 Exhibit make_exhibit(ExhibitInput input) {
     Exhibit exhibit;
     exhibit.report = judge(input);
+    exhibit.feasibility = feasibility_of(input, exhibit.report.valid());
     if (input.solution) {
         exhibit.measures = measure(input.problem, input.solution->path);
         exhibit.violations = by_state(exhibit.report);
@@ -131,6 +139,7 @@ std::string verdict(const Exhibit& exhibit) {
     const auto failed = static_cast<std::size_t>(
         std::count_if(exhibit.report.checks.begin(), exhibit.report.checks.end(),
                       [](const CheckResult& result) { return !result.ok(); }));
+    if (exhibit.feasibility.cause != core::Infeasibility::none) return "there is no path";
     if (!exhibit.solution)
         return failed == 0 ? "start and goal are valid" : "start or goal is not valid";
     if (failed == 0) return "valid";
@@ -150,6 +159,7 @@ std::vector<std::string> complaints(const Exhibit& exhibit) {
         }
         result.push_back(std::move(text));
     }
+    if (!exhibit.feasibility.reason.empty()) result.push_back(exhibit.feasibility.reason);
     return result;
 }
 

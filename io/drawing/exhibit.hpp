@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/bounds/feasibility.hpp"
 #include "core/model/path.hpp"
 #include "core/model/problem.hpp"
 #include "core/validation/validate.hpp"
@@ -31,7 +32,10 @@ struct ExhibitInput {
 
 /// The same with everything measured and judged that a picture or a player tells.
 struct Exhibit : ExhibitInput {
-    core::ValidationReport report;              ///< of the solution; without one, of start and goal
+    core::ValidationReport report;  ///< of the solution; without one, of start and goal
+    /// Without a solution, of up to 20,000 obstacles and valid ends: why there is no path, if
+    /// known.
+    core::Feasibility feasibility;
     std::vector<StateMeasures> measures;        ///< for each state of the solution
     std::vector<Violation> violations;          ///< of the solution, by state
     std::optional<std::size_t> tightest_state;  ///< where the clearance is least, the first such
@@ -44,10 +48,11 @@ Exhibit make_exhibit(ExhibitInput input);
 /// the unit behind them, but for an arm's, which are angles.
 std::string facts(const Exhibit& exhibit);
 
-/// "valid", "not valid: 2 of 8 requirements violated", or "start and goal are valid".
+/// "valid", "not valid: 2 of 8 requirements violated", "start and goal are valid", or "there is no
+/// path".
 std::string verdict(const Exhibit& exhibit);
 
-/// One sentence for each failed check, with the step where it has one.
+/// One sentence for each failed check, with the step where it has one; or why there is no path.
 std::vector<std::string> complaints(const Exhibit& exhibit);
 
 /// What a legend calls the parts of a body.

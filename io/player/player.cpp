@@ -119,6 +119,9 @@ void add_complaints(ordered_json& data, const Exhibit& exhibit) {
              {"sentence", std::move(sentence)},
              {"step", placed ? ordered_json(check.worst->state) : ordered_json(nullptr)}});
     }
+    if (!exhibit.feasibility.reason.empty())
+        data["complaints"].push_back(
+            {{"check", "no path"}, {"sentence", exhibit.feasibility.reason}, {"step", nullptr}});
 }
 
 void add_violations(ordered_json& data, const Exhibit& exhibit, std::span<const std::size_t> held) {
@@ -193,7 +196,8 @@ ordered_json data_of(const Exhibit& exhibit) {
                          {"goal", flat(problem.goal)}};
     const std::vector<std::size_t> held = held_states(exhibit, most_states(problem.asv_count()));
     add_states(data, exhibit, held);
-    data["valid"] = exhibit.report.valid();
+    data["valid"] =
+        exhibit.report.valid() && exhibit.feasibility.cause == core::Infeasibility::none;
     data["verdict"] = verdict(exhibit);
     add_complaints(data, exhibit);
     add_violations(data, exhibit, held);

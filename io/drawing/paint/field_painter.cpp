@@ -204,8 +204,16 @@ void paint_violation_mark(Canvas& canvas, const Point& at, const Palette& colour
     canvas.stroke_segments(cross, {colours.violation, 2.6});
 }
 
+void paint_closed(Canvas& canvas, std::span<const Box> closed, const Palette& colours) {
+    canvas.fill_boxes(closed, faded(colours.violation, 0.25));
+    canvas.stroke_boxes(closed, {colours.violation, 1.4, {4, 3}});
+}
+
 void paint_scene(Canvas& canvas, const Scene& scene, const Page& page, const Palette& colours) {
     paint_obstacles(canvas, scene, page, colours);
+    std::vector<Box> closed;
+    for (const Box& box : scene.closed) closed.push_back(page.at(box));
+    paint_closed(canvas, closed, colours);
     paint_trees(canvas, scene, page, colours);
     for (const SceneLine& line : scene.lines) paint_line(canvas, scene, line, page, colours);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "io/drawing/paint/canvas.hpp"
 #include "io/drawing/paint/page.hpp"
 #include "io/drawing/paint/palette.hpp"
@@ -37,6 +39,9 @@ void paint_chain(Canvas& canvas, const std::vector<geometry::Point>& points, con
 /// The same drawn strong, on a rim of the field's colour, its first point with an eye.
 void paint_body(Canvas& canvas, const std::vector<geometry::Point>& points, const Palette& colours,
                 const Colour& colour);
+
+/// Where the middle of the chain cannot be, on the page: dashed, so that it shows without colours.
+void paint_closed(Canvas& canvas, std::span<const geometry::Box> closed, const Palette& colours);
 
 /// A circle with a cross: where a requirement is violated, also without seeing colours.
 void paint_violation_mark(Canvas& canvas, const geometry::Point& at, const Palette& colours);

@@ -109,6 +109,14 @@ std::vector<LegendEntry> legend(const Scene& scene, const Palette& colours) {
                  canvas.stroke_circle(centre, 8, {colours.least, 2.2});
              }});
     }
+    if (!scene.closed.empty()) {
+        entries.push_back(
+            {"too low: the middle of the chain cannot get here",
+             [&](Canvas& canvas, const Point& at) {
+                 const geometry::Box sample{{at.x + 5, at.y - 6}, {at.x + 25, at.y + 6}};
+                 paint_closed(canvas, std::span(&sample, 1), colours);
+             }});
+    }
     if (!scene.violations.empty()) {
         entries.push_back({"violated requirement", [&](Canvas& canvas, const Point& at) {
                                paint_violation_mark(canvas, {at.x + 15, at.y}, colours);

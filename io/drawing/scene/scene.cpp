@@ -232,6 +232,7 @@ Scene make_scene(const Exhibit& exhibit) {
     composer.add_ends();
     if (exhibit.tightest_state) composer.add_least();
     composer.add_violations();
+    composer.scene.closed = exhibit.feasibility.closed;
     std::stable_sort(composer.scene.lines.begin(), composer.scene.lines.end(),
                      [](const SceneLine& a, const SceneLine& b) { return a.role < b.role; });
     return std::move(composer.scene);

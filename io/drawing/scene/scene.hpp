@@ -56,6 +56,7 @@ struct Scene {
     std::vector<SceneLine> lines;  ///< in the order of painting
     std::optional<SceneLeast> least;
     std::vector<SceneViolation> violations;
+    std::vector<geometry::Box> closed;  ///< where the middle of the chain cannot be
     std::size_t ghosts = 0;
     core::BodyKind body = core::BodyKind::chain;
 };

@@ -205,6 +205,26 @@ TEST(Palette, MeetsTheContrastThatItPromises) {
     }
 }
 
+TEST(Picture, ShowsWhyThereIsNoPath) {
+    const Exhibit exhibit = make_exhibit(test::low_corridor());
+    ASSERT_EQ(exhibit.feasibility.closed.size(), 1U);
+    const Box closed = exhibit.feasibility.closed[0];
+    EXPECT_GT(closed.low.x, 0.44) << "half a chain from the mouth";
+    EXPECT_LT(closed.high.x, 0.56);
+    EXPECT_NEAR(closed.low.y, 0.5, 0.001);
+    EXPECT_NEAR(closed.high.y, 0.51, 0.001);
+    EXPECT_EQ(verdict(exhibit), "there is no path");
+    const std::string svg = draw_picture(exhibit, PictureFormat::svg, Theme::light);
+    for (const char* words :
+         {"there is no path", "no chain of 3 ASVs passes the corridor between obstacles 1 and 2",
+          "too low: the middle of the chain cannot get here"})
+        EXPECT_NE(svg.find(words), std::string::npos) << words;
+
+    ExhibitInput open = test::low_corridor();
+    open.problem.obstacles[1].low.y = 0.6;
+    EXPECT_EQ(verdict(make_exhibit(open)), "start and goal are valid");
+}
+
 TEST(Palette, IsTheOneOfThePlayer) {
     std::ifstream file(std::string(ASV_SOURCE_DIR) + "/io/player/page/player.css");
     std::stringstream css;

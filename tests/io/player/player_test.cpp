@@ -125,6 +125,16 @@ TEST(Player, TellsWhichEndOfAProblemIsNotValid) {
     EXPECT_TRUE(complaint_with(around(input.problem.goal[0])).ends_with(" (goal)"));
 }
 
+TEST(Player, TellsWhyThereIsNoPath) {
+    const json data = data_of(make_player(make_exhibit(test::low_corridor())));
+    EXPECT_FALSE(data["valid"]);
+    EXPECT_EQ(data["verdict"], "there is no path");
+    ASSERT_EQ(data["complaints"].size(), 1U);
+    EXPECT_EQ(data["complaints"][0]["check"], "no path");
+    EXPECT_TRUE(data["complaints"][0]["sentence"].get<std::string>().starts_with(
+        "no chain of 3 ASVs passes the corridor between obstacles 1 and 2: "));
+}
+
 /// The links of an arm enclose nothing.
 TEST(Player, OfAnArmTellsNoArea) {
     ExhibitInput input = sample(1, {{0.1, 0.3}, {0.2, 0.3}}, {});

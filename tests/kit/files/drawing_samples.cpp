@@ -37,6 +37,13 @@ io::ExhibitInput sample(std::size_t asv_count, const Points& way, std::vector<Bo
     return input;
 }
 
+io::ExhibitInput low_corridor() {
+    io::ExhibitInput input =
+        sample(3, {{0.1, 0.3}, {0.8, 0.3}}, {{{0.4, 0}, {0.6, 0.5}}, {{0.4, 0.51}, {0.6, 1}}});
+    input.solution.reset();
+    return input;
+}
+
 std::vector<Box> two_walls() {
     return {{{0.4, 0}, {0.5, 0.2}}, {{0.4, 0.45}, {0.5, 1}}};
 }

@@ -22,6 +22,9 @@ core::Solution translated_arc(std::size_t asv_count, const Points& way, double s
 io::ExhibitInput sample(std::size_t asv_count, const Points& way, std::vector<Box> obstacles,
                         double step = 0.001);
 
+/// A problem without a path: between start and goal there is a corridor that is too low.
+io::ExhibitInput low_corridor();
+
 /// Two walls with a gap between them, right across the square.
 std::vector<Box> two_walls();
 
