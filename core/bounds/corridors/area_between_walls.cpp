@@ -10,11 +10,10 @@ namespace asv::core {
 
 namespace {
 
-/// So many fill the strip. Enough to come within a thousandth of the flattest chain.
+/// So many fill the strip. Enough to come within some thousandths of the flattest chain.
 constexpr std::size_t rows = 256;
 
-/// Of longer chains height times length is said instead: it is nearly sharp, and they would take
-/// seconds.
+/// Longer chains would take a second.
 constexpr std::size_t most_asvs_in_rows = 100;
 
 /// Far more than what the sums of some hundred positive numbers lose by rounding, and far

@@ -22,7 +22,7 @@ namespace asv::core {
 /// between that are in the strip for some m of the interval. The heights are divided into rows, and
 /// each pair of rows adds what it can add at most.
 ///
-/// Of more than 100 ASVs height * length is returned, which is nearly as sharp.
+/// Of more than 100 ASVs height * length is returned, which is more.
 ///
 /// Cost: some 10 * rows^2 * brooms operations. Preconditions: asv_count >= 2, longest_broom > 0,
 /// height > 0.

@@ -46,6 +46,31 @@ LegendEntry colour_bar(const Palette& colours) {
             bar_width + gap};
 }
 
+/// Of what stands alone in the field.
+void add_marks(std::vector<LegendEntry>& entries, const Scene& scene, const Palette& colours) {
+    if (scene.least) {
+        entries.push_back(
+            {"least clearance, and where it is tight", [&colours](Canvas& canvas, const Point& at) {
+                 const Point centre{at.x + 15, at.y};
+                 canvas.fill_circle(centre, 4, faded(colours.least, 0.5));
+                 canvas.stroke_circle(centre, 8, {colours.least, 2.2});
+             }});
+    }
+    if (!scene.closed.empty()) {
+        entries.push_back(
+            {"too low: the middle of the chain cannot get here",
+             [&colours](Canvas& canvas, const Point& at) {
+                 const geometry::Box sample{{at.x + 5, at.y - 6}, {at.x + 25, at.y + 6}};
+                 paint_closed(canvas, std::span(&sample, 1), colours);
+             }});
+    }
+    if (!scene.violations.empty()) {
+        entries.push_back({"violated requirement", [&colours](Canvas& canvas, const Point& at) {
+                               paint_violation_mark(canvas, {at.x + 15, at.y}, colours);
+                           }});
+    }
+}
+
 /// The left end of each entry, set line by line from the origin, and the height of all lines.
 struct LegendLayout {
     std::vector<Point> places;
@@ -101,27 +126,7 @@ std::vector<LegendEntry> legend(const Scene& scene, const Palette& colours) {
         const std::string what = roadmap ? "roadmap" : start ? "start tree" : "goal tree";
         add_line_entry(entries, what + " (" + words.seen + ")", {faded(colour, 0.6), 0.9}, 0);
     }
-    if (scene.least) {
-        entries.push_back(
-            {"least clearance, and where it is tight", [&](Canvas& canvas, const Point& at) {
-                 const Point centre{at.x + 15, at.y};
-                 canvas.fill_circle(centre, 4, faded(colours.least, 0.5));
-                 canvas.stroke_circle(centre, 8, {colours.least, 2.2});
-             }});
-    }
-    if (!scene.closed.empty()) {
-        entries.push_back(
-            {"too low: the middle of the chain cannot get here",
-             [&](Canvas& canvas, const Point& at) {
-                 const geometry::Box sample{{at.x + 5, at.y - 6}, {at.x + 25, at.y + 6}};
-                 paint_closed(canvas, std::span(&sample, 1), colours);
-             }});
-    }
-    if (!scene.violations.empty()) {
-        entries.push_back({"violated requirement", [&](Canvas& canvas, const Point& at) {
-                               paint_violation_mark(canvas, {at.x + 15, at.y}, colours);
-                           }});
-    }
+    add_marks(entries, scene, colours);
     return entries;
 }
 
