@@ -118,12 +118,18 @@ TEST(LowCorridors, MayBeAlongTheBorder) {
 }
 
 TEST(LowCorridors, AWallThatCanBeJumpedOverIsNone) {
-    Problem problem = corridor_of(7, 0.95);
-    // From the lower wall of the corridor up to a thin one, with a gap of its own above that.
-    const double top = problem.obstacles[0].high.y, left = problem.obstacles[0].low.x;
-    const double right = problem.obstacles[0].high.x;
-    problem.obstacles[1] = {{left, top + 0.02}, {right, top + 0.0209}};
+    Problem problem = corridor_of(7, 1.5);
+    const Box below = problem.obstacles[0], above = problem.obstacles[1];
     EXPECT_EQ(check_feasibility(problem).cause, Infeasibility::none);
+    const double middle = (below.high.y + above.low.y) / 2;
+    const auto with_wall = [&](double thickness) {
+        Problem divided = problem;
+        divided.obstacles.push_back(
+            {{below.low.x, middle - thickness / 2}, {below.high.x, middle + thickness / 2}});
+        return check_feasibility(divided).cause;
+    };
+    EXPECT_EQ(with_wall(0.0011), Infeasibility::corridor_too_low);
+    EXPECT_EQ(with_wall(0.0009), Infeasibility::none);
 }
 
 TEST(LowCorridors, OfTouchingObstaclesCloseTheWayAsItIsMeant) {
