@@ -55,7 +55,7 @@ TEST(AreaBetweenWalls, NoChainEnclosesMore) {
 }
 
 TEST(AreaBetweenWalls, IsHardlyMoreThanThatOfTheFlattestChain) {
-    for (const std::size_t n : {3u, 4u, 5u, 7u, 12u, 20u, 50u}) {
+    for (const std::size_t n : {3u, 4u, 7u, 12u, 30u}) {
         for (const double share : {0.2, 0.6, 1.0}) {
             const double height = share * min_flat_height(n);
             const double flat = flat_area(n - 1, 0.05, height);
@@ -69,7 +69,7 @@ TEST(AreaBetweenWalls, IsHardlyMoreThanThatOfTheFlattestChain) {
 TEST(AreaBetweenWalls, HeightWithoutChainsIsHardlyBelowThatOfTheFlattestOne) {
     Requirements as_lenient_as_the_validator;
     as_lenient_as_the_validator.broom_length += 1e-5;
-    for (const std::size_t n : {3u, 4u, 5u, 7u, 12u, 20u, 50u}) {
+    for (const std::size_t n : {3u, 4u, 7u, 12u, 30u}) {
         Requirements& r = as_lenient_as_the_validator;
         const Requirements classic;
         const auto brooms = static_cast<double>(n - 1);
