@@ -128,7 +128,7 @@ class Place {
     /// farther than moved.
     bool sampled_valid(const Row& from, const Row& step, double moved) {
         constexpr double primitive_step = 0.001;
-        const auto in_a_step = static_cast<double>(scaled(1000));
+        const auto in_a_step = static_cast<double>(std::min<std::size_t>(1000, scaled(1000)));
         const double count = std::ceil(moved / primitive_step * in_a_step) + 1;
         for (double first = 0; first <= count; first += geometry::simd::lanes) {
             for (std::size_t lane = 0; lane < geometry::simd::lanes; ++lane) {
