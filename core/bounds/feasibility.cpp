@@ -9,6 +9,7 @@
 #include "core/bounds/asv_plane.hpp"
 #include "core/bounds/corridors/low_corridors.hpp"
 #include "core/bounds/seams.hpp"
+#include "core/bounds/walls.hpp"
 #include "core/model/planning_window.hpp"
 #include "geometry/predicates/polygon.hpp"
 

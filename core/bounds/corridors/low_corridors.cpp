@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/bounds/corridors/area_between_walls.hpp"
-#include "geometry/boxes/span.hpp"
+#include "core/bounds/walls.hpp"
 
 namespace asv::core {
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "core/bounds/walls.hpp"
 #include "core/model/problem.hpp"
 
 /// Corridors that no chain of a problem gets through, since it would have to lie between the walls
