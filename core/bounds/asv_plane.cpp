@@ -43,4 +43,10 @@ geometry::FreePlane make_asv_plane(const Problem& given, Reading reading,
     return {obstacles.boxes, obstacles.bounds};
 }
 
+geometry::FreePlane make_middle_plane(const Problem& problem, std::span<const Box> closed) {
+    ShrunkObstacles walls = shrink_obstacles(problem, shrink_for_steps(problem.requirements));
+    walls.boxes.insert(walls.boxes.end(), closed.begin(), closed.end());
+    return {walls.boxes, walls.bounds};
+}
+
 }  // namespace asv::core

@@ -37,4 +37,9 @@ enum class Reading {
 geometry::FreePlane make_asv_plane(const Problem& problem, Reading reading,
                                    std::span<const Box> closed = {});
 
+/// Where the middle of the chain can be, in the literal reading. It is on a broom, so that it meets
+/// what an ASV meets; but no seam is closed, since the proofs of seams speak of ASVs. The boxes of
+/// `closed` are obstacles as well, as they are. Preconditions: as above, and bounds.
+geometry::FreePlane make_middle_plane(const Problem& problem, std::span<const Box> closed = {});
+
 }  // namespace asv::core

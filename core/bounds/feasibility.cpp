@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/bounds/asv_plane.hpp"
+#include "core/bounds/chain_limits.hpp"
 #include "core/bounds/corridors/low_corridors.hpp"
-#include "core/bounds/seams.hpp"
-#include "core/bounds/walls.hpp"
+#include "core/bounds/gates/gate_check.hpp"
 #include "core/model/planning_window.hpp"
 #include "geometry/predicates/polygon.hpp"
 
@@ -17,34 +17,19 @@ namespace asv::core {
 
 namespace {
 
-double longest_chain(const Problem& problem) {
-    const Requirements& r = problem.requirements;
-    return static_cast<double>(problem.asv_count() - 1) * (r.broom_length + r.tolerance);
-}
-
-double min_area(const Problem& problem) {
-    return problem.requirements.min_area(problem.asv_count()) - problem.requirements.tolerance;
-}
-
 bool lacks_area(const Problem& problem) {
     // A curve of a given length encloses most together with its chord when it is half a circle.
     const double length = longest_chain(problem);
     const double largest = problem.asv_count() < 3 ? 0 : length * length / (2 * std::numbers::pi);
-    return largest < min_area(problem);
+    return largest < least_area(problem);
 }
 
 bool has_opposite_orientation(const Problem& problem) {
     const double start = geometry::signed_area(problem.start);
     const double goal = geometry::signed_area(problem.goal);
-    if (start * goal >= 0) return false;
-    // While the ASVs move straight by at most a step h, the area changes by at most h times half
-    // the sum of the polygon's diagonals from each vertex to the next but one, hence by at most h
-    // times its perimeter, which is below twice the chain's length. Less than that cannot lead from
-    // the least area on one side to that on the other.
-    const Requirements& r = problem.requirements;
-    const double change = (r.max_step + r.tolerance) * 2 * longest_chain(problem);
-    const double least = min_area(problem);
-    return change < 2 * least && std::abs(start) >= least && std::abs(goal) >= least;
+    const double least = least_area(problem);
+    return start * goal < 0 && std::abs(start) >= least && std::abs(goal) >= least &&
+           keeps_orientation(problem);
 }
 
 /// The first ASV whose start and goal are free but not connected.
@@ -72,12 +57,7 @@ bool separate(const std::vector<LowCorridor>& corridors, const Problem& problem,
     const std::vector<Box> closed = closed_parts(corridors);
     const auto plane = [&]() -> geometry::FreePlane {
         if (reading == Reading::intended) return make_asv_plane(problem, reading, closed);
-        // The proof of a seam speaks of one ASV, which need not be where the middle of the chain
-        // is.
-        const double shrink = shrink_for_steps(problem.requirements);
-        ShrunkObstacles walls = shrink_obstacles(problem, shrink);
-        walls.boxes.insert(walls.boxes.end(), closed.begin(), closed.end());
-        return {walls.boxes, walls.bounds};
+        return make_middle_plane(problem, closed);
     };
     geometry::FreePlane space = plane();
     const Point start = middle_of_chain(problem.start);
@@ -160,8 +140,14 @@ Feasibility check_separation(const Problem& problem) {
     return says_more ? of_middle : of_asvs;
 }
 
+Feasibility check_gates(const Problem& problem) {
+    // Half a second or so.
+    constexpr std::size_t most_cells = 200'000;
+    return GateCheck(bounded(problem)).work(most_cells);
+}
+
 Feasibility check_feasibility(const Problem& problem) {
-    for (const auto& check : {check_area, check_orientation, check_separation}) {
+    for (const auto& check : {check_area, check_orientation, check_separation, check_gates}) {
         Feasibility found = check(problem);
         if (found.cause != Infeasibility::none) return found;
     }

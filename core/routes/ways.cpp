@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/bounds/asv_plane.hpp"
-#include "core/routes/gates.hpp"
+#include "geometry/free_plane/gates.hpp"
 
 namespace asv::core {
 
@@ -74,9 +74,10 @@ void Ways::make_others_of(const Way& way) {
     const auto boxes = static_cast<double>(world.obstacles.size());
     work_ += work_for_pair * boxes * boxes / 2;
     std::vector<Box> kept_open = way.kept_open;
-    for (const Box& gate : gates_on_way(way.bends, world.obstacles, world.requirements.bounds)) {
-        const Box closing = thickened(gate);
-        if (std::find(kept_open.begin(), kept_open.end(), gate) != kept_open.end() ||
+    for (const auto& [gap, sides] :
+         geometry::gates_on_way(way.bends, world.obstacles, world.requirements.bounds)) {
+        const Box closing = thickened(gap);
+        if (std::find(kept_open.begin(), kept_open.end(), gap) != kept_open.end() ||
             is_near(problem_.start, closing) || is_near(problem_.goal, closing))
             continue;
         Way other;
@@ -84,7 +85,7 @@ void Ways::make_others_of(const Way& way) {
         other.closed.push_back(closing);
         other.kept_open = kept_open;
         add(std::move(other));
-        kept_open.push_back(gate);
+        kept_open.push_back(gap);
     }
 }
 

@@ -128,19 +128,6 @@ std::string rounded_down(double value) {
     return short_number(std::floor(value / unit) * unit);
 }
 
-/// "between obstacles 2 and 3", "between obstacle 4 and the upper border".
-std::string place_of(const LowCorridor& corridor) {
-    const auto& [first, second] = corridor.walls;
-    if (first && second)
-        return "between obstacles " + std::to_string(*first + 1) + " and " +
-               std::to_string(*second + 1);
-    if (!first && !second) return "between opposite borders";
-    const std::string border =
-        corridor.upright ? (first ? "right" : "left") : (first ? "upper" : "lower");
-    return "between obstacle " + std::to_string((first ? *first : *second) + 1) + " and the " +
-           border + " border";
-}
-
 std::string height_of(const LowCorridor& corridor) {
     return short_number(corridor.height) + (corridor.upright ? " wide" : " high");
 }
@@ -156,6 +143,18 @@ Point middle_of_chain(const std::vector<Point>& state) {
 std::vector<LowCorridor> find_low_corridors(const Problem& problem) {
     if (problem.body_kind() != BodyKind::chain || problem.asv_count() < 3) return {};
     return LowCorridors(problem).find();
+}
+
+std::string place_of(const LowCorridor& corridor) {
+    const auto& [first, second] = corridor.walls;
+    if (first && second)
+        return "between obstacles " + std::to_string(*first + 1) + " and " +
+               std::to_string(*second + 1);
+    if (!first && !second) return "between opposite borders";
+    const std::string border =
+        corridor.upright ? (first ? "right" : "left") : (first ? "upper" : "lower");
+    return "between obstacle " + std::to_string((first ? *first : *second) + 1) + " and the " +
+           border + " border";
 }
 
 std::string describe(const std::vector<LowCorridor>& corridors, const Problem& problem) {

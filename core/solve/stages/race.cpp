@@ -4,11 +4,14 @@
 #include <atomic>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <tuple>
 #include <vector>
 
 #include "core/bounds/feasibility.hpp"
+#include "core/bounds/gates/gate_check.hpp"
+#include "core/model/planning_window.hpp"
 #include "core/solve/stages/in_threads.hpp"
 #include "core/solve/stages/progress_report.hpp"
 #include "core/solve/stages/tree_pictures.hpp"
@@ -74,16 +77,27 @@ class Race {
     void watch(const Progress& progress) {
         const double easy = easy_search(call_.problem);
         const bool worth_it = call_.clock.time_limit() > 10 * easy;
-        if (!looked_for_proof_ && worth_it && call_.clock.elapsed() > easy) {
-            looked_for_proof_ = true;
-            const Feasibility proof = check_separation(call_.problem);
-            if (proof.cause != Infeasibility::none) {
-                race_.infeasible = proof.reason;
-                stop_.request_stop();
-            }
-        }
+        const bool nothing_left = gate_check_ && gate_check_->finished();
+        if (worth_it && !nothing_left && call_.clock.elapsed() > easy) look_for_proof();
         end_in_time_for_trees(progress);
         report_.tell(progress, std::nullopt);
+    }
+
+    /// What is quick at once; the gates bit by bit, so that the search keeps nine tenths of the
+    /// time.
+    void look_for_proof() {
+        Feasibility proof;
+        if (!gate_check_) {
+            proof = check_separation(call_.problem);
+            gate_check_.emplace(bounded(call_.problem));
+        } else if (seconds_of_proof_ < 0.1 * call_.clock.elapsed()) {
+            const double begin = call_.clock.elapsed();
+            proof = gate_check_->work(cells_at_a_time);
+            seconds_of_proof_ += call_.clock.elapsed() - begin;
+        }
+        if (proof.cause == Infeasibility::none) return;
+        race_.infeasible = proof.reason;
+        stop_.request_stop();
     }
 
     /// Trees have to be drawn and written inside the limit as well, the longer the more there is of
@@ -125,12 +139,15 @@ class Race {
 
     /// To draw a node of a tree, or of a roadmap with its edges, and to write it.
     static constexpr double seconds_per_node = 4e-6;
+    /// Of chains, for the check of gates: some milliseconds.
+    static constexpr std::size_t cells_at_a_time = 4000;
 
     const SolveCall& call_;
     SolveResult& result_;
     ProgressReport report_;
     Clock::time_point deadline_;
-    bool looked_for_proof_ = false;
+    std::optional<GateCheck> gate_check_;  ///< once all that is quick has been looked at
+    double seconds_of_proof_ = 0;          ///< spent on that
     std::atomic<bool> out_of_time_ = false;
     std::stop_source stop_;
     std::stop_callback<std::function<void()>> stop_by_caller_;

@@ -217,7 +217,7 @@ TEST(Picture, ShowsWhyThereIsNoPath) {
     const std::string svg = draw_picture(exhibit, PictureFormat::svg, Theme::light);
     for (const char* words :
          {"there is no path", "no chain of 3 ASVs passes the corridor between obstacles 1 and 2",
-          "too low: the middle of the chain cannot get here"})
+          "no room: the middle of the chain cannot get here"})
         EXPECT_NE(svg.find(words), std::string::npos) << words;
 
     ExhibitInput open = test::low_corridor();

@@ -1,4 +1,4 @@
-#include "core/routes/gates.hpp"
+#include "geometry/free_plane/gates.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -7,40 +7,36 @@
 #include "geometry/elementary/functions.hpp"
 #include "geometry/predicates/segment_box.hpp"
 
-namespace asv::core {
+namespace asv::geometry {
 
 namespace {
-
-using geometry::Box;
-using geometry::Point;
-using geometry::Segment;
 
 /// By so much the line of a gate reaches into the boxes on both sides, which a way may graze.
 constexpr double overreach = 1e-4;
 
-struct Gate {
+struct Opening {
     Box gap;
     Segment line;  ///< from one box to the other, with its overreach
 };
 
-/// The gate between two boxes that do not touch. Where they lie side by side the line is in the
+/// What is between two boxes that do not touch. Where they lie side by side the line is in the
 /// middle, else it leads from corner to corner.
-Gate gate_between(const Box& a, const Box& b) {
-    Gate gate;
-    const geometry::Span x = between(x_span(a), x_span(b));
-    const geometry::Span y = between(y_span(a), y_span(b));
-    gate.gap = {{x.low, y.low}, {x.high, y.high}};
+Opening opening_between(const Box& a, const Box& b) {
+    Opening opening;
+    const Span x = between(x_span(a), x_span(b));
+    const Span y = between(y_span(a), y_span(b));
+    opening.gap = {{x.low, y.low}, {x.high, y.high}};
     const bool apart_x = apart(x_span(a), x_span(b)) > 0;
     const bool apart_y = apart(y_span(a), y_span(b)) > 0;
-    const Point middle = geometry::centre(gate.gap);
+    const Point middle = centre(opening.gap);
     Point half{apart_x ? middle.x - x.low : 0, apart_y ? middle.y - y.low : 0};
     const double length = elementary::hypot(half.x, half.y);
     const double stretch = (length + overreach) / length;
     half = {half.x * stretch, half.y * stretch};
     // Corner to corner is the falling diagonal where one box is to the right of the other, below.
     if (apart_x && apart_y && (a.low.x > b.high.x) != (a.low.y > b.high.y)) half.y = -half.y;
-    gate.line = {{middle.x - half.x, middle.y - half.y}, {middle.x + half.x, middle.y + half.y}};
-    return gate;
+    opening.line = {{middle.x - half.x, middle.y - half.y}, {middle.x + half.x, middle.y + half.y}};
+    return opening;
 }
 
 double side_of(const Segment& line, const Point& point) {
@@ -69,24 +65,24 @@ std::vector<Box> outside(const Box& bounds) {
 
 }  // namespace
 
-std::vector<Box> gates_on_way(std::span<const Point> way, std::span<const Box> boxes,
-                              const Box& bounds) {
+std::vector<Gate> gates_on_way(std::span<const Point> way, std::span<const Box> boxes,
+                               const Box& bounds) {
     std::vector<Box> all(boxes.begin(), boxes.end());
     for (const Box& box : outside(bounds)) all.push_back(box);
     const auto others_meet = [&](const Segment& line, std::size_t i, std::size_t j) {
         for (std::size_t k = 0; k < all.size(); ++k)
-            if (k != i && k != j && geometry::meets(line, all[k])) return true;
+            if (k != i && k != j && meets(line, all[k])) return true;
         return false;
     };
-    std::vector<Box> gates;
+    std::vector<Gate> gates;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (std::size_t j = i + 1; j < all.size(); ++j) {
-            if (geometry::overlap(all[i], all[j])) continue;
-            const Gate gate = gate_between(all[i], all[j]);
-            if (crosses(way, gate.line) && !others_meet(gate.line, i, j)) gates.push_back(gate.gap);
+            if (overlap(all[i], all[j])) continue;
+            const auto [gap, line] = opening_between(all[i], all[j]);
+            if (crosses(way, line) && !others_meet(line, i, j)) gates.push_back({gap, {i, j}});
         }
     }
     return gates;
 }
 
-}  // namespace asv::core
+}  // namespace asv::geometry

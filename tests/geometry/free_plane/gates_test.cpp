@@ -1,20 +1,20 @@
-#include "core/routes/gates.hpp"
+#include "geometry/free_plane/gates.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-namespace asv::core {
+namespace asv::geometry {
 namespace {
-
-using geometry::Box;
-using geometry::Point;
 
 constexpr Box square{{0, 0}, {1, 1}};
 
 std::vector<Box> gates(std::vector<Point> way, std::vector<Box> boxes) {
-    return gates_on_way(way, boxes, square);
+    std::vector<Box> gaps;
+    for (const Gate& gate : gates_on_way(way, boxes, square)) gaps.push_back(gate.gap);
+    return gaps;
 }
 
 TEST(Gates, AreTheRectanglesBetweenBoxesThatAWayCrosses) {
@@ -41,6 +41,10 @@ TEST(Gates, LieBesideTheBorderToo) {
     const std::vector<Box> box{{{0.4, 0.2}, {0.6, 1}}};
     const std::vector<Box> below{{{0.4, 0}, {0.6, 0.2}}};
     EXPECT_EQ(gates({{0.1, 0.1}, {0.9, 0.1}}, box), below);
+    const std::vector<Point> way{{0.1, 0.1}, {0.9, 0.1}};
+    const std::size_t lower_border = box.size() + 2;
+    EXPECT_EQ(gates_on_way(way, box, square).at(0).sides,
+              (std::array<std::size_t, 2>{0, lower_border}));
 }
 
 TEST(Gates, AreNotWhereAThirdBoxStandsBetween) {
@@ -51,4 +55,4 @@ TEST(Gates, AreNotWhereAThirdBoxStandsBetween) {
 }
 
 }  // namespace
-}  // namespace asv::core
+}  // namespace asv::geometry
