@@ -9,7 +9,7 @@
 #include "core/bounds/asv_plane.hpp"
 #include "core/bounds/chain_limits.hpp"
 #include "core/bounds/corridors/low_corridors.hpp"
-#include "core/bounds/gates/gate_check.hpp"
+#include "core/bounds/passages/passage_check.hpp"
 #include "core/model/planning_window.hpp"
 #include "geometry/predicates/polygon.hpp"
 
@@ -140,14 +140,14 @@ Feasibility check_separation(const Problem& problem) {
     return says_more ? of_middle : of_asvs;
 }
 
-Feasibility check_gates(const Problem& problem) {
-    // Half a second or so.
-    constexpr std::size_t most_cells = 200'000;
-    return GateCheck(bounded(problem)).work(most_cells);
+Feasibility check_passages(const Problem& problem) {
+    // Some seconds in the worst case.
+    constexpr std::size_t most_cells = 400'000;
+    return PassageCheck(bounded(problem)).work(most_cells);
 }
 
 Feasibility check_feasibility(const Problem& problem) {
-    for (const auto& check : {check_area, check_orientation, check_separation, check_gates}) {
+    for (const auto& check : {check_area, check_orientation, check_separation, check_passages}) {
         Feasibility found = check(problem);
         if (found.cause != Infeasibility::none) return found;
     }

@@ -24,6 +24,8 @@ enum class Infeasibility {
     /// The middle of the chain cannot get from its start to its goal but through gates between
     /// obstacles where no chain can have its middle.
     gates_closed,
+    /// The chain would have to turn, on its way, where there is no room for it.
+    no_room_to_turn,
     /// Either of the two, by Reading::intended. There is no path for a chain that moves
     /// continuously and does not squeeze between obstacles that touch; the validator might accept
     /// one that does or that jumps over a thin obstacle.
@@ -35,7 +37,7 @@ struct Feasibility {
     std::optional<std::size_t> asv;  ///< 0-based, where one ASV is the reason
     std::string reason;              ///< one sentence with 1-based numbers; empty when none
     /// Where corridors or gates are the reason: the places in them that the middle of the chain
-    /// cannot be at.
+    /// cannot be at. Where it has no room to turn: the places of its middle where it would have to.
     std::vector<Box> closed = {};
 
     /// Is it proven that the validator accepts no path, not even one that jumps or squeezes?
@@ -57,10 +59,10 @@ Feasibility check_orientation(const Problem& problem);
 /// second among very many obstacles, or for 100 ASVs. Precondition: both are valid states.
 Feasibility check_separation(const Problem& problem);
 
-/// Can the middle of the chain get to its goal through gates in which a chain can have its middle
-/// (see GateCheck)? Nothing is found for other bodies, for more than 12 ASVs or 1000 obstacles.
-/// Takes up to half a second or so. Precondition: both are valid states.
-Feasibility check_gates(const Problem& problem);
+/// Has a chain room on its ways, to pass gates between obstacles and to turn (see PassageCheck)?
+/// Nothing is found for other bodies, for more than 12 ASVs or 1000 obstacles. Takes up to a second
+/// or so. Precondition: both are valid states.
+Feasibility check_passages(const Problem& problem);
 
 /// Looks for a proof that the problem has no solution, the cheapest first. Every cause is proven as
 /// its description says, whatever primitive steps a path is made of.

@@ -56,8 +56,9 @@ Problem corridor(const CorridorOptions& options, Rng& rng);
 /// the right (even number of bends) or at the top (odd).
 struct BendOptions {
     ChainOptions chain;
-    /// One bend can be passed at little more than the least height. Bends to either side one after
-    /// the other cannot, since a chain turns one way only: below about 2.5 no path is known.
+    /// One bend can be passed at little more than the least height, by three ASVs at 1.3 times that
+    /// or so. Bends to either side one after the other cannot, since a chain turns one way only:
+    /// below about 2.5 no path is known.
     PassageHeight height{3.0, std::nullopt};
     /// How many, 1 to 8. Two: the fewest that lead to a room on the right.
     std::size_t bends = 2;

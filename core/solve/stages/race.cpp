@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/bounds/feasibility.hpp"
-#include "core/bounds/gates/gate_check.hpp"
+#include "core/bounds/passages/passage_check.hpp"
 #include "core/model/planning_window.hpp"
 #include "core/solve/stages/in_threads.hpp"
 #include "core/solve/stages/progress_report.hpp"
@@ -77,28 +77,31 @@ class Race {
     void watch(const Progress& progress) {
         const double easy = easy_search(call_.problem);
         const bool worth_it = call_.clock.time_limit() > 10 * easy;
-        const bool nothing_left = gate_check_ && gate_check_->finished();
+        const bool nothing_left = passage_check_ && passage_check_->finished();
         if (worth_it && !nothing_left && call_.clock.elapsed() > easy) look_for_proof();
         end_in_time_for_trees(progress);
         report_.tell(progress, std::nullopt);
     }
 
-    /// What is quick at once; the gates bit by bit, so that the search keeps nine tenths of the
+    /// What is quick at once; passages bit by bit, so that the search keeps nine tenths of the
     /// time.
     void look_for_proof() {
         Feasibility proof;
-        if (!gate_check_) {
+        if (!passage_check_) {
             proof = check_separation(call_.problem);
-            gate_check_.emplace(bounded(call_.problem));
-        } else if (seconds_of_proof_ < 0.1 * call_.clock.elapsed()) {
+            passage_check_.emplace(bounded(call_.problem));
+        } else if (seconds_of_proof_ < share_of_proof() * call_.clock.elapsed()) {
             const double begin = call_.clock.elapsed();
-            proof = gate_check_->work(cells_at_a_time);
+            proof = passage_check_->work(cells_at_a_time);
             seconds_of_proof_ += call_.clock.elapsed() - begin;
         }
         if (proof.cause == Infeasibility::none) return;
         race_.infeasible = proof.reason;
         stop_.request_stop();
     }
+
+    /// Of the time of the first thread: less where no other searches meanwhile.
+    double share_of_proof() const { return call_.threads() > 1 ? 0.5 : 0.25; }
 
     /// Trees have to be drawn and written inside the limit as well, the longer the more there is of
     /// them.
@@ -139,15 +142,15 @@ class Race {
 
     /// To draw a node of a tree, or of a roadmap with its edges, and to write it.
     static constexpr double seconds_per_node = 4e-6;
-    /// Of chains, for the check of gates: some milliseconds.
+    /// Of chains, for the check of passages: some milliseconds.
     static constexpr std::size_t cells_at_a_time = 4000;
 
     const SolveCall& call_;
     SolveResult& result_;
     ProgressReport report_;
     Clock::time_point deadline_;
-    std::optional<GateCheck> gate_check_;  ///< once all that is quick has been looked at
-    double seconds_of_proof_ = 0;          ///< spent on that
+    std::optional<PassageCheck> passage_check_;  ///< once all that is quick has been looked at
+    double seconds_of_proof_ = 0;                ///< spent on that
     std::atomic<bool> out_of_time_ = false;
     std::stop_source stop_;
     std::stop_callback<std::function<void()>> stop_by_caller_;

@@ -58,8 +58,7 @@ void add_marks(std::vector<LegendEntry>& entries, const Scene& scene, const Pale
     }
     if (!scene.closed.empty()) {
         entries.push_back(
-            {"no room: the middle of the chain cannot get here",
-             [&colours](Canvas& canvas, const Point& at) {
+            {scene.meaning_of_closed, [&colours](Canvas& canvas, const Point& at) {
                  const geometry::Box sample{{at.x + 5, at.y - 6}, {at.x + 25, at.y + 6}};
                  paint_closed(canvas, std::span(&sample, 1), colours);
              }});

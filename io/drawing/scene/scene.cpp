@@ -233,6 +233,10 @@ Scene make_scene(const Exhibit& exhibit) {
     if (exhibit.tightest_state) composer.add_least();
     composer.add_violations();
     composer.scene.closed = exhibit.feasibility.closed;
+    composer.scene.meaning_of_closed =
+        exhibit.feasibility.cause == core::Infeasibility::no_room_to_turn
+            ? "no room to turn, though the chain would have to here"
+            : "no room: the middle of the chain cannot get here";
     std::stable_sort(composer.scene.lines.begin(), composer.scene.lines.end(),
                      [](const SceneLine& a, const SceneLine& b) { return a.role < b.role; });
     return std::move(composer.scene);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "io/drawing/exhibit.hpp"
@@ -56,7 +57,8 @@ struct Scene {
     std::vector<SceneLine> lines;  ///< in the order of painting
     std::optional<SceneLeast> least;
     std::vector<SceneViolation> violations;
-    std::vector<geometry::Box> closed;  ///< where the middle of the chain cannot be
+    std::vector<geometry::Box> closed;  ///< why there is no path
+    std::string meaning_of_closed;      ///< for the legend
     std::size_t ghosts = 0;
     core::BodyKind body = core::BodyKind::chain;
 };

@@ -1,4 +1,4 @@
-#include "core/bounds/gates/gate_sections.hpp"
+#include "core/bounds/passages/gate_sections.hpp"
 
 #include <algorithm>
 #include <optional>

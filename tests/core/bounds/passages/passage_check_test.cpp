@@ -1,4 +1,4 @@
-#include "core/bounds/gates/gate_check.hpp"
+#include "core/bounds/passages/passage_check.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -48,7 +48,7 @@ void expect_closed(const Problem& problem, const std::string& reason) {
     EXPECT_FALSE(found.closed.empty());
 }
 
-TEST(GateCheck, ClosesCorridorsThatAreShorterThanTheChain) {
+TEST(PassageCheck, ClosesCorridorsThatAreShorterThanTheChain) {
     for (const std::size_t n : {3u, 4u, 5u, 6u}) {
         const Problem problem = short_corridor(n, 0.7, 0.9);
         const std::string reason = said_of(n, "between obstacles 1 and 2");
@@ -62,12 +62,12 @@ TEST(GateCheck, ClosesCorridorsThatAreShorterThanTheChain) {
     }
 }
 
-TEST(GateCheck, FindsNothingWhereTheChainHooksThrough) {
+TEST(PassageCheck, FindsNothingWhereTheChainHooksThrough) {
     for (const std::size_t n : {4u, 6u, 7u}) {
         const Problem problem = short_corridor(n, 0.9, 0.6);
         EXPECT_EQ(check_feasibility(problem).cause, Infeasibility::none) << n << " ASVs";
-        GateCheck check(problem);
-        check.work(1'000'000);
+        PassageCheck check(problem);
+        check.work(10'000'000);
         EXPECT_TRUE(check.finished()) << "the gate is open";
     }
 }
@@ -82,14 +82,14 @@ Problem two_doors(double lower, double upper) {
     return problem;
 }
 
-TEST(GateCheck, AllWaysHaveToBeClosed) {
+TEST(PassageCheck, AllWaysHaveToBeClosed) {
     expect_closed(two_doors(0.008, 0.009),
                   said_of(4, "between obstacles 2 and 3 or between obstacles 1 and 2"));
     EXPECT_EQ(check_feasibility(two_doors(0.008, 0.02)).cause, Infeasibility::none);
     EXPECT_EQ(check_feasibility(two_doors(0.02, 0.009)).cause, Infeasibility::none);
 }
 
-TEST(GateCheck, NamesTheBorder) {
+TEST(PassageCheck, NamesTheBorder) {
     Problem problem = short_corridor(4, 0.7, 0.9);
     const Box block = problem.obstacles[0];
     problem.obstacles = {{{block.low.x, 0.01}, {block.high.x, 1}}};
@@ -100,7 +100,7 @@ TEST(GateCheck, NamesTheBorder) {
     expect_closed(transposed(problem), said_of(4, "between obstacle 1 and the right border"));
 }
 
-TEST(GateCheck, SeesWallsOfSeveralObstacles) {
+TEST(PassageCheck, SeesWallsOfSeveralObstacles) {
     Problem problem = short_corridor(4, 0.7, 0.9);
     const Box upper = problem.obstacles[1];
     const double middle = geometry::centre(upper).x;
@@ -111,24 +111,78 @@ TEST(GateCheck, SeesWallsOfSeveralObstacles) {
     EXPECT_EQ(found.cause, Infeasibility::gates_closed);
 }
 
-TEST(GateCheck, LeavesAloneWhatItDoesNotSpeakOf) {
-    EXPECT_TRUE(GateCheck(short_corridor(13, 0.7, 0.5)).finished()) << "too many ASVs";
+/// A corridor with two bends, to the one side and then to the other.
+Problem two_bends(std::size_t asv_count, double height, std::uint64_t seed = 1) {
+    BendOptions options;
+    options.chain.asv_count = asv_count;
+    options.height.factor = height;
+    Rng rng(seed);
+    return bend(options, rng);
+}
+
+void expect_no_room_to_turn(const Problem& problem) {
+    PassageCheck check(problem);
+    const Feasibility found = check.work(10'000'000);
+    EXPECT_EQ(found.cause, Infeasibility::no_room_to_turn);
+    EXPECT_TRUE(found.proven_infeasible());
+    EXPECT_EQ(found.reason, "a chain of " + std::to_string(problem.asv_count()) +
+                                " ASVs would have to turn where it has no room to");
+    EXPECT_FALSE(found.closed.empty());
+}
+
+TEST(PassageCheck, SeesThatTwoBendsToDifferentSidesAreTooNarrow) {
+    const Problem problem = two_bends(3, 1.6);
+    expect_no_room_to_turn(problem);
+    expect_no_room_to_turn(mirrored(problem));
+    expect_no_room_to_turn(reversed(problem));
+    expect_no_room_to_turn(transposed(problem));
+    expect_no_room_to_turn(two_bends(4, 1.4));
+    // The places where it would have to turn are in the upright part of the corridor.
+    const Feasibility found = check_feasibility(problem);
+    const Box &left = problem.obstacles[1], &right = problem.obstacles[2];
+    for (const Box& place : found.closed) {
+        EXPECT_GT(place.high.x, left.high.x - 0.02);
+        EXPECT_LT(place.low.x, right.low.x + 0.02);
+    }
+}
+
+TEST(PassageCheck, SeesThatOneBendOrWideOnesCanBePassed) {
+    PassageCheck wide(two_bends(3, 3));
+    EXPECT_EQ(wide.work(10'000'000).cause, Infeasibility::none);
+    EXPECT_TRUE(wide.finished());
+    BendOptions options;
+    options.chain.asv_count = 4;
+    options.bends = 1;
+    options.height.factor = 1.4;
+    Rng rng(1);
+    PassageCheck one(bend(options, rng));
+    EXPECT_EQ(one.work(10'000'000).cause, Infeasibility::none);
+    EXPECT_TRUE(one.finished());
+}
+
+TEST(PassageCheck, LeavesAloneWhatItDoesNotSpeakOf) {
+    EXPECT_TRUE(PassageCheck(short_corridor(13, 0.7, 0.5)).finished()) << "too many ASVs";
     Problem point = test::testcase("3ASV.txt");
     point.start.resize(1);
     point.goal.resize(1);
     point.body = PointBody{};
-    EXPECT_TRUE(GateCheck(point).finished());
+    EXPECT_TRUE(PassageCheck(point).finished());
     Problem long_steps = short_corridor(4, 0.7, 0.9);
     long_steps.requirements.max_step = 0.05;
-    EXPECT_TRUE(GateCheck(long_steps).finished()) << "the chain may turn inside out in one step";
+    EXPECT_TRUE(PassageCheck(long_steps).finished()) << "the chain may turn inside out in one step";
 }
 
-TEST(GateCheck, NeverClosesWhatThePlannerPasses) {
+Problem narrow_problem_of(std::size_t asv_count, Rng& rng) {
+    const std::uint64_t seed = rng.below(1000);
+    if (rng.chance(0.5)) return two_bends(asv_count, rng.uniform(1, 3), seed);
+    return short_corridor(asv_count, rng.uniform(0.4, 1), rng.uniform(0.5, 1), seed);
+}
+
+TEST(PassageCheck, NeverClosesWhatThePlannerPasses) {
     std::size_t solved = 0, closed = 0;
     test::for_seeds(test::scaled(25), [&](Rng& rng) {
-        const Problem problem = short_corridor(3 + rng.below(4), rng.uniform(0.4, 1),
-                                               rng.uniform(0.5, 1), rng.below(1000));
-        const bool no_path = check_gates(problem).proven_infeasible();
+        const Problem problem = narrow_problem_of(3 + rng.below(4), rng);
+        const bool no_path = check_passages(problem).proven_infeasible();
         SolveOptions options;
         options.max_iterations = 1000;
         options.optimize = 0;

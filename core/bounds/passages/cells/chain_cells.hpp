@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/bounds/gates/broom_sector.hpp"
+#include "core/bounds/passages/cells/broom_sector.hpp"
 #include "core/model/problem.hpp"
 
 /// Cells of the configuration space of a chain, each with a range for every coordinate, and what is
@@ -26,6 +26,12 @@ struct ChainCell {
     std::array<Interval, most_asvs_in_cells - 1> headings;
 };
 
+/// That a broom has its heading in an interval, or differs from it by a multiple of 2 pi.
+struct BroomHeading {
+    std::size_t broom;
+    Interval heading;  ///< radians, from -pi to 3 pi
+};
+
 /// The cells of a problem's chains that turn left and have their middle in one rectangle.
 class ChainCells {
   public:
@@ -34,6 +40,9 @@ class ChainCells {
 
     /// The one of all chains with their middle in the rectangle.
     const ChainCell& all() const { return all_; }
+
+    /// Those of the chains in it one of whose brooms has such a heading, in a few cells.
+    std::vector<ChainCell> with_heading(const BroomHeading& wanted) const;
 
     /// Is it proven that no state in the cell is one that the validator accepts? Else the cell may
     /// have been narrowed to where such states can be.

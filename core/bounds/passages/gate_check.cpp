@@ -1,4 +1,4 @@
-#include "core/bounds/gates/gate_check.hpp"
+#include "core/bounds/passages/gate_check.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,18 +7,14 @@
 #include <utility>
 
 #include "core/bounds/asv_plane.hpp"
-#include "core/bounds/chain_limits.hpp"
 #include "core/bounds/corridors/low_corridors.hpp"
 #include "core/bounds/walls.hpp"
 #include "geometry/free_plane/gates.hpp"
-#include "geometry/predicates/polygon.hpp"
 
 namespace asv::core {
 
 namespace {
 
-/// Gates are looked for among all pairs of obstacles, which are too many beyond this.
-constexpr std::size_t most_obstacles = 1000;
 /// Cells of the plane that the search for one shortest way may enter, each as often as it is.
 constexpr std::size_t effort_for_way = 100'000;
 /// Cells of chains after which a section counts as open: a second or so.
@@ -28,12 +24,6 @@ constexpr double thickness = 1e-3;
 /// Beyond so many closed parts it is not asked without which there is a way.
 constexpr std::size_t most_to_leave_out = 100;
 
-bool applies_to(const Problem& problem) {
-    const std::size_t n = problem.asv_count();
-    return problem.body_kind() == BodyKind::chain && n >= 3 && n <= most_asvs_in_cells &&
-           problem.obstacles.size() <= most_obstacles && keeps_orientation(problem);
-}
-
 double narrow_side(const geometry::Gate& gate) {
     const auto& [low, high] = gate.gap;
     return std::min(high.x - low.x, high.y - low.y);
@@ -41,63 +31,52 @@ double narrow_side(const geometry::Gate& gate) {
 
 }  // namespace
 
-GateCheck::GateCheck(const Problem& problem) : problem_(problem) {
-    finished_ = !applies_to(problem);
-    if (finished_) return;
-    turn_left();
-    find_walls();
-    for (const LowCorridor& corridor : find_low_corridors(problem)) {
-        const Box& closed = corridor.closed;
-        closed_.push_back({transposed_ ? transposed(closed) : closed, place_of(corridor),
-                           corridor.height <= problem.requirements.tolerance});
-    }
-}
-
-/// A chain that turns right turns left once x and y are exchanged.
-void GateCheck::turn_left() {
-    transposed_ = geometry::signed_area(problem_.start) < 0;
-    if (!transposed_) return;
-    for (auto* state : {&problem_.start, &problem_.goal})
-        for (Point& point : *state) std::swap(point.x, point.y);
-    for (Box& box : problem_.obstacles) box = transposed(box);
-    problem_.requirements.bounds = transposed(problem_.requirements.bounds);
-}
-
-void GateCheck::find_walls() {
-    const Requirements& requirements = problem_.requirements;
-    for (std::size_t i = 0; i < problem_.obstacles.size(); ++i) {
-        const Box wall =
-            shrunk(problem_.obstacles[i], shrink_for_steps(requirements), requirements);
+GateCheck::GateCheck(const TurnedLeft& turned) : turned_(turned) {
+    const Problem& problem = turned_.problem;
+    const Requirements& requirements = problem.requirements;
+    for (std::size_t i = 0; i < problem.obstacles.size(); ++i) {
+        const Box wall = shrunk(problem.obstacles[i], shrink_for_steps(requirements), requirements);
         if (vanishes(wall)) continue;
         walls_.push_back(wall);
         obstacle_of_wall_.push_back(i);
     }
+    for (const LowCorridor& corridor : find_low_corridors(problem)) {
+        const bool upright = corridor.upright != turned_.transposed;
+        closed_.push_back({corridor.closed,
+                           place_of({.closed = {}, .walls = corridor.walls, .upright = upright}),
+                           corridor.height <= requirements.tolerance});
+    }
 }
 
-Feasibility GateCheck::work(std::size_t cells) {
+std::vector<Box> GateCheck::closed() const {
+    std::vector<Box> boxes;
+    for (const ClosedPart& part : closed_) boxes.push_back(part.closed);
+    return boxes;
+}
+
+void GateCheck::work(std::size_t& cells) {
     while (cells > 0 && !finished_) {
         if (waiting_.empty()) look_for_sections();
         finished_ = waiting_.empty();
         if (!finished_) examine_next(cells);
     }
-    return separated_ ? conclusion() : Feasibility{};
 }
 
 /// The sections of the gates on the shortest way, the narrowest next. None where there is no way,
 /// or one with all its gates examined.
 void GateCheck::look_for_sections() {
-    separated_ = separate(closed_);
-    if (separated_) return;
-    std::vector<Box> closed;
-    for (const ClosedPart& part : closed_) closed.push_back(part.closed);
+    proven_ = separate(closed_);
+    if (proven_) return;
+    const Problem& problem = turned_.problem;
     const std::vector<Point> way =
-        make_middle_plane(problem_, closed)
-            .shortest_path_points(middle_of_chain(problem_.start), middle_of_chain(problem_.goal),
+        make_middle_plane(problem, closed())
+            .shortest_path_points(middle_of_chain(problem.start), middle_of_chain(problem.goal),
                                   effort_for_way);
-    auto gates = geometry::gates_on_way(way, walls_, widened_bounds(problem_.requirements));
+    auto gates = geometry::gates_on_way(way, walls_, widened_bounds(turned_.problem.requirements));
     std::ranges::sort(gates, std::greater(), narrow_side);
     for (const geometry::Gate& gate : gates) {
-        auto sections = sections_of(gate, walls_, thickness * problem_.requirements.max_step);
+        auto sections =
+            sections_of(gate, walls_, thickness * turned_.problem.requirements.max_step);
         std::ranges::reverse(sections);
         for (const GateSection& section : sections)
             if (std::ranges::find(examined_, section) == examined_.end())
@@ -110,15 +89,11 @@ void GateCheck::examine_next(std::size_t& cells) {
     const GateSection section = waiting_.back();
     if (!region_) {
         // Half a step, and the tolerance for what rounding loses.
-        region_.emplace(problem_, grown(section.across, shrink_for_steps(problem_.requirements)));
-        cells_left_ = most_cells_of_section;
+        const double more = shrink_for_steps(turned_.problem.requirements);
+        region_.emplace(turned_.problem, grown(section.across, more), most_cells_of_section);
     }
-    const std::size_t share = std::min(cells, cells_left_);
-    std::size_t left = share;
-    const EmptyRegion::Answer answer = region_->examine(left);
-    cells -= share - left;
-    cells_left_ -= share - left;
-    if (answer == EmptyRegion::Answer::unknown && cells_left_ > 0) return;
+    const EmptyRegion::Answer answer = region_->examine(cells);
+    if (answer == EmptyRegion::Answer::unknown) return;
     region_.reset();
     waiting_.pop_back();
     examined_.push_back(section);
@@ -131,20 +106,20 @@ void GateCheck::examine_next(std::size_t& cells) {
 bool GateCheck::separate(const std::vector<ClosedPart>& parts) const {
     std::vector<Box> closed;
     for (const ClosedPart& part : parts) closed.push_back(part.closed);
-    geometry::FreePlane plane = make_middle_plane(problem_, closed);
-    const Point start = middle_of_chain(problem_.start);
-    const Point goal = middle_of_chain(problem_.goal);
+    geometry::FreePlane plane = make_middle_plane(turned_.problem, closed);
+    const Point start = middle_of_chain(turned_.problem.start);
+    const Point goal = middle_of_chain(turned_.problem.goal);
     return plane.is_free(start) && plane.is_free(goal) && !plane.connected(start, goal);
 }
 
 bool GateCheck::is_slit(const GateSection& section) const {
     const auto obstacle = [&](std::size_t side) {
-        return problem_.obstacles[obstacle_of_wall_[side]];
+        return turned_.problem.obstacles[obstacle_of_wall_[side]];
     };
     const auto [a, b] = section.sides;
-    const Box first = grown(obstacle(a), problem_.requirements.tolerance);
+    const Box first = grown(obstacle(a), turned_.problem.requirements.tolerance);
     if (b < walls_.size()) return geometry::overlap(first, obstacle(b));
-    const Box& bounds = problem_.requirements.bounds;
+    const Box& bounds = turned_.problem.requirements.bounds;
     const std::array beyond{first.low.x<bounds.low.x, first.high.x> bounds.high.x,
                             first.low.y<bounds.low.y, first.high.y> bounds.high.y};
     return beyond[b - walls_.size()];
@@ -154,7 +129,7 @@ bool GateCheck::is_slit(const GateSection& section) const {
 std::string GateCheck::name_of_border(std::size_t number) const {
     constexpr std::array names{"left", "right", "lower", "upper"};
     constexpr std::array transposed_names{"lower", "upper", "left", "right"};
-    return transposed_ ? transposed_names[number] : names[number];
+    return turned_.transposed ? transposed_names[number] : names[number];
 }
 
 std::string GateCheck::place_of_gate(const GateSection& section) const {
@@ -183,12 +158,12 @@ Feasibility GateCheck::conclusion() const {
     Feasibility found;
     found.cause = Infeasibility::gates_closed;
     found.reason =
-        "no chain of " + std::to_string(problem_.asv_count()) + " ASVs can have its middle ";
+        "no chain of " + std::to_string(turned_.problem.asv_count()) + " ASVs can have its middle ";
     const std::vector<ClosedPart> parts = decisive_parts();
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (i > 0) found.reason += i + 1 < parts.size() ? ", " : " or ";
         found.reason += parts[i].place;
-        found.closed.push_back(transposed_ ? transposed(parts[i].closed) : parts[i].closed);
+        found.closed.push_back(turned_.back(parts[i].closed));
     }
     found.reason += ", and there is no other way";
     return found;

@@ -1,4 +1,4 @@
-#include "core/bounds/gates/chain_cells.hpp"
+#include "core/bounds/passages/cells/chain_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,6 +80,18 @@ void ChainCells::make_arms() {
     }
     for (std::size_t i = first_whole; i < brooms_; ++i) arms_[0].push_back({i, 1});
     for (std::size_t i = middle; i-- > 0;) arms_[1].push_back({i, -1});
+}
+
+std::vector<ChainCell> ChainCells::with_heading(const BroomHeading& wanted) const {
+    std::vector<ChainCell> cells;
+    for (const double turn : {-2 * pi, 0.0, 2 * pi}) {
+        ChainCell cell = all_;
+        Interval& heading = cell.headings[wanted.broom];
+        heading.low = std::max(heading.low, wanted.heading.low + turn);
+        heading.high = std::min(heading.high, wanted.heading.high + turn);
+        if (heading.low <= heading.high) cells.push_back(cell);
+    }
+    return cells;
 }
 
 bool ChainCells::holds_no_state(ChainCell& cell) const {

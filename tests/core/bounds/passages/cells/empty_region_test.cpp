@@ -1,5 +1,6 @@
-#include "core/bounds/gates/empty_region.hpp"
+#include "core/bounds/passages/cells/empty_region.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <numbers>
@@ -23,14 +24,17 @@ using Answer = EmptyRegion::Answer;
 
 Answer answer(const Problem& problem, const Box& middle) {
     std::size_t cells = 1'000'000;
-    return EmptyRegion(problem, middle).examine(cells);
+    return EmptyRegion(problem, middle, cells).examine(cells);
 }
 
-/// Of the very place where the middle of the state is.
-Answer answer_around(const std::vector<Point>& state, const Problem& problem) {
+/// Of the very place where the middle of the state is, and the very heading of one of its brooms.
+Answer answer_around(const std::vector<Point>& state, const Problem& problem, std::size_t broom) {
     const Point middle = middle_of_chain(state);
+    const Point &from = state[broom], &to = state[broom + 1];
+    const double heading = std::atan2(to.y - from.y, to.x - from.x);
+    const BroomHeading rounded{broom, {heading - 1e-9, heading + 1e-9}};
     std::size_t cells = 20'000;
-    return EmptyRegion(problem, {middle, middle}).examine(cells);
+    return EmptyRegion(problem, {middle, middle}, rounded, cells).examine(cells);
 }
 
 /// A corridor of a share of min_flat_height, longer than the chain, which turns left.
@@ -55,7 +59,7 @@ TEST(EmptyRegion, IsTheMiddleOfACorridorThatIsTooLow) {
         const Problem low = left_turning_corridor(n, 0.9), high = left_turning_corridor(n, 1.01);
         constexpr std::size_t most = 1'000'000;
         std::size_t cells = most;
-        EmptyRegion region(low, middle_of_corridor(low));
+        EmptyRegion region(low, middle_of_corridor(low), most);
         EXPECT_EQ(region.examine(cells), Answer::empty) << n << " ASVs";
         std::cout << n << " ASVs: " << most - cells << " cells\n";
         EXPECT_EQ(answer(high, middle_of_corridor(high)), Answer::may_not_be) << n << " ASVs";
@@ -78,9 +82,9 @@ TEST(EmptyRegion, IsFoundInPortionsAsAtOnce) {
     const Problem problem = left_turning_corridor(5, 0.96);
     const Box middle = middle_of_corridor(problem);
     std::size_t cells = 1'000'000;
-    EXPECT_EQ(EmptyRegion(problem, middle).examine(cells), Answer::empty);
+    EXPECT_EQ(EmptyRegion(problem, middle, cells).examine(cells), Answer::empty);
     const std::size_t needed = 1'000'000 - cells;
-    EmptyRegion region(problem, middle);
+    EmptyRegion region(problem, middle, needed);
     std::size_t spent = 0;
     for (Answer found = Answer::unknown; found == Answer::unknown;) {
         std::size_t portion = 1000;
@@ -89,6 +93,25 @@ TEST(EmptyRegion, IsFoundInPortionsAsAtOnce) {
         EXPECT_EQ(found == Answer::unknown, spent < needed);
     }
     EXPECT_EQ(spent, needed);
+    EmptyRegion too_few(problem, middle, needed - 1);
+    cells = needed;
+    EXPECT_EQ(too_few.examine(cells), Answer::may_not_be);
+    EXPECT_EQ(cells, 1u);
+}
+
+TEST(EmptyRegion, IsAQuestionOfTheHeading) {
+    const Problem problem = left_turning_corridor(4, 1.3);
+    const Box middle = middle_of_corridor(problem);
+    const auto with_heading = [&](double heading) {
+        std::size_t cells = 100'000;
+        const BroomHeading wanted{1, {heading - 0.1, heading + 0.1}};
+        return EmptyRegion(problem, middle, wanted, cells).examine(cells);
+    };
+    EXPECT_EQ(with_heading(0), Answer::may_not_be);
+    EXPECT_EQ(with_heading(2 * std::numbers::pi), Answer::may_not_be);
+    EXPECT_EQ(with_heading(std::numbers::pi), Answer::may_not_be);
+    EXPECT_EQ(with_heading(std::numbers::pi / 2), Answer::empty) << "across the corridor";
+    EXPECT_EQ(with_heading(3 * std::numbers::pi / 2), Answer::empty);
 }
 
 /// A problem of one of the families with narrow passages.
@@ -123,7 +146,8 @@ TEST(EmptyRegion, IsNoneWhereAStateOfAPathHasItsMiddle) {
         const Path& path = result.solution->path;
         for (std::size_t i = 0; i < path.size(); i += 97, ++states) {
             const auto state = path.state(i);
-            EXPECT_NE(answer_around({state.begin(), state.end()}, problem), Answer::empty)
+            const std::size_t broom = rng.below(problem.asv_count() - 1);
+            EXPECT_NE(answer_around({state.begin(), state.end()}, problem, broom), Answer::empty)
                 << "state " << i;
         }
     });
@@ -172,7 +196,7 @@ TEST(EmptyRegion, IsNoneWhereAChainTouchesWhateverItCan) {
         }
         if (!validate_state(problem, chain).valid()) return;
         ++valid;
-        EXPECT_NE(answer_around(chain, problem), Answer::empty);
+        EXPECT_NE(answer_around(chain, problem, rng.below(chain.size() - 1)), Answer::empty);
     });
     EXPECT_GT(valid, test::scaled(75));
 }

@@ -1,4 +1,4 @@
-#include "core/bounds/gates/broom_sector.hpp"
+#include "core/bounds/passages/cells/broom_sector.hpp"
 
 #include <algorithm>
 #include <array>
