@@ -6,28 +6,12 @@
 #include <numbers>
 #include <optional>
 
-#include "core/bounds/walls.hpp"
 #include "geometry/boxes/span.hpp"
 #include "geometry/elementary/functions.hpp"
 
 namespace asv::core {
 
 namespace {
-
-/// The seam between two walls of which the first is to the left, where they are near enough.
-std::optional<Seam> vertical_seam(const Wall& left, const Wall& right, double tolerance) {
-    const double gap = right.whole.low.x - left.whole.high.x;
-    if (gap > tolerance) return std::nullopt;
-    if (apart(y_span(left.whole), y_span(right.whole)) > tolerance) return std::nullopt;
-    const Box& a = left.shrunk;
-    const Box& b = right.shrunk;
-    const geometry::Span y = between(y_span(a), y_span(b));
-    Seam seam;
-    seam.gap = {{a.high.x, y.low}, {b.low.x, y.high}};
-    seam.width = gap + 2 * tolerance;
-    seam.depth = std::max(0.0, -apart(y_span(a), y_span(b)));
-    return seam;
-}
 
 /// The left side of a shrunk wall and how high the wall is: what most pairs are refused by, side by
 /// side in memory.
@@ -67,6 +51,20 @@ void add_vertical_seams(const std::vector<Wall>& walls, const Requirements& requ
 }
 
 }  // namespace
+
+std::optional<Seam> vertical_seam(const Wall& left, const Wall& right, double tolerance) {
+    const double gap = right.whole.low.x - left.whole.high.x;
+    if (gap > tolerance) return std::nullopt;
+    if (apart(y_span(left.whole), y_span(right.whole)) > tolerance) return std::nullopt;
+    const Box& a = left.shrunk;
+    const Box& b = right.shrunk;
+    const geometry::Span y = between(y_span(a), y_span(b));
+    Seam seam;
+    seam.gap = {{a.high.x, y.low}, {b.low.x, y.high}};
+    seam.width = gap + 2 * tolerance;
+    seam.depth = std::max(0.0, -apart(y_span(a), y_span(b)));
+    return seam;
+}
 
 ShrunkObstacles shrink_obstacles(const Problem& problem, double shrink) {
     ShrunkObstacles left;

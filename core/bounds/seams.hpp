@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "core/bounds/walls.hpp"
 #include "core/model/problem.hpp"
 #include "geometry/primitives.hpp"
 
@@ -29,6 +31,10 @@ struct Seam {
 /// slightly more than the tolerance, so that no rounding makes an obstacle too large. Boxes that
 /// vanish are left out. Precondition: shrink >= the tolerance.
 ShrunkObstacles shrink_obstacles(const Problem& problem, double shrink);
+
+/// The seam between two walls, each shrunk, of which the first is to the left of the other, where
+/// they are near enough.
+std::optional<Seam> vertical_seam(const Wall& left, const Wall& right, double tolerance);
 
 /// All seams, in no particular order, some of them twice. O(m log m) and the number of pairs of
 /// obstacles of which one ends where the other begins, in x or in y.

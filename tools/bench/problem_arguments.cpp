@@ -8,8 +8,8 @@
 
 #include "core/solve/solve.hpp"
 #include "io/benchmark/record/generated_name.hpp"
-#include "io/benchmark/record/problem_digest.hpp"
 #include "io/problem/generation_file.hpp"
+#include "io/problem/problem_digest.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/escape.hpp"
 #include "io/text/parse_error.hpp"

@@ -50,6 +50,10 @@ void add_options(CLI::App& app, SolveArguments& arguments) {
     add_numbers(app, arguments.solve);
     app.add_option("--stats", arguments.stats, "Write what the run found and spent as JSON")
         ->type_name("FILE.json");
+    app.add_option("--certificate", arguments.certificate,
+                   "Where the problem is proven infeasible, write the proof as JSON, which "
+                   "asv-validate checks; else nothing, and say so")
+        ->type_name("FILE.json");
     CLI::Option* trajectory =
         app.add_option("--trajectory", arguments.trajectory,
                        "Write the path with times, as fast as --speed and --acceleration allow; "

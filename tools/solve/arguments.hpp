@@ -11,7 +11,7 @@ namespace asv::tools {
 
 /// What asv-solve was asked for.
 struct SolveArguments {
-    std::string problem, solution, stats, trajectory, trees;
+    std::string problem, solution, stats, certificate, trajectory, trees;
     core::MotionLimits limits;  ///< of the trajectory; where an option says nothing, empty
     std::string planner = "auto";
     std::vector<std::string> settings;

@@ -9,9 +9,12 @@
 
 #include <sys/resource.h>
 
+#include "core/bounds/certify/certify.hpp"
 #include "core/solve/idle_settings.hpp"
 #include "core/trajectory/time_optimal.hpp"
 #include "core/validation/trajectory/validate_trajectory.hpp"
+#include "io/certificate/certificate_file.hpp"
+#include "io/problem/problem_digest.hpp"
 #include "io/solution/statistics_file.hpp"
 #include "io/solution/trajectory_file.hpp"
 #include "io/solution/trees_file.hpp"
@@ -69,6 +72,7 @@ std::string left_out(const SolveArguments& arguments, const CutOff& at) {
     };
     const Output outputs[] = {
         {Stage::writing_statistics, "--stats ", arguments.stats},
+        {Stage::writing_certificate, "--certificate ", arguments.certificate},
         {Stage::writing_trajectory, "--trajectory ", arguments.trajectory},
         {Stage::writing_trees, "--trees ", arguments.trees},
     };
@@ -113,6 +117,23 @@ double write_trajectory(const SolveArguments& arguments, const core::Problem& pr
     io::write_trajectory(arguments.trajectory, trajectory,
                          io::trajectory_format(arguments.trajectory).value());
     return trajectory.duration();
+}
+
+void write_certificate(const SolveArguments& arguments, const core::Problem& problem,
+                       SolveStatus status) {
+    const char* why = "the problem is not proven to have no path";
+    if (status == SolveStatus::solved) why = "the problem is solved";
+    if (status == SolveStatus::infeasible) {
+        if (const auto proof = core::certify_infeasibility(problem)) {
+            io::write_certificate(arguments.certificate,
+                                  {core::certified(problem, io::problem_digest(problem)), *proof});
+            return;
+        }
+        why = "a proof of this kind has none";
+    }
+    if (!arguments.quiet)
+        std::cerr << "asv-solve: --certificate " << io::escaped(arguments.certificate)
+                  << " is not written: " << why << '\n';
 }
 
 void write_trees(const SolveArguments& arguments, const core::SolveResult& result,
@@ -220,7 +241,8 @@ int give_up(const SolveArguments& arguments, const CutOff& at, SolveStatus statu
     if (!failure.empty()) std::cerr << "asv-solve: " << failure << std::endl;
     if (!arguments.quiet) report(arguments, result);
     for (const auto& [option, file] :
-         {std::pair("--trajectory", &arguments.trajectory), std::pair("--trees", &arguments.trees)})
+         {std::pair("--certificate", &arguments.certificate),
+          std::pair("--trajectory", &arguments.trajectory), std::pair("--trees", &arguments.trees)})
         if (!arguments.quiet && !file->empty())
             std::cerr << "asv-solve: " << option << ' ' << *file << " is left out" << std::endl;
     return code;

@@ -7,8 +7,8 @@
 #include "tools/solve/arguments.hpp"
 #include "tools/solve/run_watch.hpp"
 
-/// What asv-solve tells of a run: on standard error, in the files of --stats, --trajectory and
-/// --trees, and by its exit code.
+/// What asv-solve tells of a run: on standard error, in the files of --stats, --certificate,
+/// --trajectory and --trees, and by its exit code.
 
 namespace asv::tools {
 
@@ -16,6 +16,11 @@ ExitCode exit_code(core::SolveStatus status);
 
 void write_statistics(const SolveArguments& arguments, const core::Problem& problem,
                       const core::SolveResult& result);
+
+/// The proof that there is no path, where there is one that can be written down; else a line on
+/// standard error that says why there is none.
+void write_certificate(const SolveArguments& arguments, const core::Problem& problem,
+                       core::SolveStatus status);
 
 /// The path in as short a time as the limits allow, which the validator's own code has passed;
 /// returns how many seconds it takes. Precondition: the name tells the format, the limits are known

@@ -16,6 +16,7 @@ enum class Stage {
     solving,
     writing_solution,
     writing_statistics,
+    writing_certificate,
     writing_trajectory,
     writing_trees
 };

@@ -39,6 +39,7 @@ FileRoles roles_of(const Arguments& arguments) {
     roles.add_input("PROBLEM", arguments.problem);
     roles.add_output("SOLUTION", arguments.solution);
     roles.add_output("--stats", arguments.stats);
+    roles.add_output("--certificate", arguments.certificate);
     roles.add_output("--trajectory", arguments.trajectory);
     roles.add_output("--trees", arguments.trees);
     return roles;
@@ -51,8 +52,8 @@ void require_format(const std::string& trajectory) {
 }
 
 void require_usable(const Arguments& arguments, const core::Problem& problem) {
-    for (const std::string* output :
-         {&arguments.solution, &arguments.stats, &arguments.trajectory, &arguments.trees})
+    for (const std::string* output : {&arguments.solution, &arguments.stats, &arguments.certificate,
+                                      &arguments.trajectory, &arguments.trees})
         if (!output->empty()) io::require_writable(*output);
     try {
         core::require_usable(arguments.solve.planner, problem.body_kind());
@@ -90,6 +91,10 @@ std::optional<double> write_outputs(const Arguments& arguments, const core::Prob
     if (!arguments.stats.empty()) {
         watch.enter(Stage::writing_statistics, is_stream(arguments.stats));
         write_statistics(arguments, problem, result);
+    }
+    if (!arguments.certificate.empty()) {
+        watch.enter(Stage::writing_certificate, is_stream(arguments.certificate));
+        write_certificate(arguments, problem, result.status);
     }
     if (result.solution && !arguments.trajectory.empty()) {
         watch.enter(Stage::writing_trajectory, is_stream(arguments.trajectory));

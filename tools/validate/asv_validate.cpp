@@ -4,8 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "core/certificate_check/check_certificate.hpp"
 #include "core/validation/trajectory/validate_trajectory.hpp"
 #include "core/validation/validate.hpp"
+#include "io/certificate/certificate_file.hpp"
+#include "io/certificate/verdict_file.hpp"
+#include "io/problem/problem_digest.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/solution/solution_file.hpp"
 #include "io/solution/trajectory_file.hpp"
@@ -29,6 +33,7 @@ using asv::tools::ExitCode;
 using asv::tools::motion_limits;
 
 constexpr int widest_name = 22;
+constexpr int widest_claim = 26;
 constexpr const char* trajectory_part = "trajectory";
 
 /// Checks of steps, each of which is told by its end.
@@ -40,6 +45,7 @@ struct Arguments {
     std::string problem;
     std::string solution;
     std::string trajectory;
+    std::string certificate;
     std::string json;
     asv::core::MotionLimits limits;  ///< of the trajectory; where an option says nothing, empty
     std::optional<double> tolerance;
@@ -52,6 +58,7 @@ asv::tools::FileRoles roles_of(const Arguments& arguments) {
     roles.add_input("PROBLEM", arguments.problem);
     roles.add_input("SOLUTION", arguments.solution);
     roles.add_input("--trajectory", arguments.trajectory);
+    roles.add_input("--certificate", arguments.certificate);
     roles.add_output("--json", arguments.json);
     return roles;
 }
@@ -76,6 +83,9 @@ void add_options(CLI::App& app, Arguments& arguments) {
                        "keeps to the path, speeds and accelerations; - for standard input")
             ->type_name("FILE.csv|.json");
     asv::tools::add_motion_limits(app, arguments.limits, trajectory);
+    app.add_option("--certificate", arguments.certificate,
+                   "Check a proof of asv-solve that the problem has no path; - for standard input")
+        ->type_name("FILE.json");
     app.add_option(
            "--json", arguments.json,
            "Write all results to this file as JSON; - for standard output, and the lines for "
@@ -145,13 +155,41 @@ std::vector<ValidatedPart> check(const CommandLine& command_line, const asv::io:
     return parts;
 }
 
-ExitCode validate_files(const CommandLine& command_line, const Arguments& arguments) {
-    if (arguments.options.continuous && arguments.solution.empty()) {
+/// Where lines for people go: what is meant for another program stays apart from them.
+std::ostream& lines_of(const Arguments& arguments) {
+    return arguments.json == asv::io::standard_stream ? std::cerr : std::cout;
+}
+
+ExitCode check_certificate(const Arguments& arguments, const asv::core::Problem& problem) {
+    const asv::core::CertificateVerdict verdict =
+        asv::core::check_certificate(asv::io::read_certificate(arguments.certificate), problem,
+                                     asv::io::problem_digest(problem));
+    std::ostream& out = lines_of(arguments);
+    for (const asv::core::CheckedClaim& claim : verdict.claims)
+        out << std::left << std::setw(widest_claim) << claim.claim
+            << (claim.holds ? "ok      " : "FAILED  ") << claim.detail << '\n';
+    out << (verdict.accepted() ? "accepted: no path exists that the validator accepts\n"
+                               : "refused\n");
+    std::cout.flush();
+    if (!arguments.json.empty())
+        asv::io::write_verdict(arguments.json, arguments.problem, arguments.certificate, verdict);
+    return verdict.accepted() ? ExitCode::done : ExitCode::no;
+}
+
+/// Options that ask for what there is not.
+void require_consistent(const Arguments& arguments) {
+    if (!arguments.certificate.empty() && !arguments.solution.empty())
+        throw asv::tools::UsageError("--certificate goes without a SOLUTION");
+    if (!arguments.certificate.empty() && arguments.tolerance)
+        throw asv::tools::UsageError("--certificate goes with the problem's own tolerance");
+    if (arguments.options.continuous && arguments.solution.empty())
         throw asv::tools::UsageError("--continuous needs a SOLUTION");
-    }
-    if (!arguments.trajectory.empty() && arguments.solution.empty()) {
+    if (!arguments.trajectory.empty() && arguments.solution.empty())
         throw asv::tools::UsageError("--trajectory needs a SOLUTION");
-    }
+}
+
+ExitCode validate_files(const CommandLine& command_line, const Arguments& arguments) {
+    require_consistent(arguments);
     asv::tools::FileRoles roles = roles_of(arguments);
     roles.require_distinct();
     asv::io::ReadOptions reading = arguments.reading;
@@ -160,14 +198,14 @@ ExitCode validate_files(const CommandLine& command_line, const Arguments& argume
     command_line.print(file.warnings);
     roles.add_maps(file);
     roles.require_distinct();
+    if (!arguments.certificate.empty()) return check_certificate(arguments, file.problem);
     // Before the path is read and checked, which may take a while.
     if (!arguments.trajectory.empty()) motion_limits(arguments.limits, file.problem);
     const ValidationSummary summary{
         arguments.problem, arguments.solution,
         arguments.tolerance.value_or(file.problem.requirements.tolerance),
         check(command_line, file, arguments)};
-    // What is meant for another program stays apart from what is meant for people.
-    std::ostream& out = arguments.json == asv::io::standard_stream ? std::cerr : std::cout;
+    std::ostream& out = lines_of(arguments);
     for (const ValidatedPart& part : summary.parts) print(out, part);
     out << (summary.valid() ? "valid\n" : "not valid\n");
     // The JSON may be told to follow on standard output.

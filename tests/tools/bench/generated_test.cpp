@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "io/benchmark/record/problem_digest.hpp"
+#include "io/problem/problem_digest.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/text/atomic_file.hpp"
 #include "tests/kit/chains/problems.hpp"

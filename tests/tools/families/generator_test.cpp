@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/benchmark/record/problem_digest.hpp"
+#include "io/problem/problem_digest.hpp"
 #include "io/problem/problem_file.hpp"
 #include "tests/kit/files/run_program.hpp"
 #include "tests/kit/files/temporary_folder.hpp"

@@ -19,7 +19,7 @@
 #include "core/bounds/lower_bound.hpp"
 #include "io/benchmark/record/command_words.hpp"
 #include "io/benchmark/record/generated_name.hpp"
-#include "io/benchmark/record/problem_digest.hpp"
+#include "io/problem/problem_digest.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/problem/scenario_text.hpp"
 #include "io/solution/solution_file.hpp"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "io/benchmark/record/journal_text.hpp"
-#include "io/benchmark/record/problem_digest.hpp"
+#include "io/problem/problem_digest.hpp"
 #include "io/problem/scenario_file.hpp"
 #include "io/problem/scenario_text.hpp"
 #include "tools/bench/runs/run_bytes.hpp"

@@ -1,4 +1,4 @@
-#include "io/benchmark/record/problem_digest.hpp"
+#include "io/problem/problem_digest.hpp"
 
 #include <array>
 #include <cstdint>
