@@ -65,8 +65,13 @@ Number strip_area_at_most(std::size_t asv_count, const Number& broom, const Numb
     const Number row_height = height / rows;
     const std::vector<double> ways = greatest_ways(broom, row_height, rows);
     double most = 0;
-    for (std::size_t middle = rows / 2; middle < rows; ++middle)
+    for (std::size_t middle = rows; middle-- > rows / 2;) {
+        // As much as if all brooms were level and as far from m as the strip is; the less, the
+        // lower m is.
+        const double at_most = static_cast<double>(brooms * 2 * (middle + 1)) * ways[rows];
+        if (at_most <= most) break;
         most = std::max(most, greatest_sum(brooms, ways, middle, rows));
+    }
     return exact(most) * row_height / 2 * broom / exact(parts_of_way);
 }
 

@@ -135,7 +135,8 @@ ClosedCorridor described(const LowCorridor& corridor, const Problem& problem) {
     const double chain = broom * static_cast<double>(problem.asv_count() - 1);
     const double mouth = r.tolerance + chain / 2 + (r.max_step + r.tolerance) / 2;
     const double height = place.high - place.low + 2 * r.tolerance;
-    const double area = height > 0 ? max_area_between_walls(problem.asv_count(), broom, height) : 0;
+    const double area =
+        height > 0 ? max_area_between_walls(problem.asv_count(), broom, height, true) : 0;
     return {facing, place.from + mouth, place.to - mouth, place.high - place.low, area};
 }
 

@@ -72,7 +72,8 @@ double most_along_chain(std::size_t asv_count, const std::vector<double>& along,
 
 }  // namespace
 
-double max_area_between_walls(std::size_t asv_count, double longest_broom, double height) {
+double max_area_between_walls(std::size_t asv_count, double longest_broom, double height,
+                              bool finely) {
     if (asv_count > most_asvs_in_rows)
         return height * longest_broom * static_cast<double>(asv_count - 1) * (1 + rounding_of_sums);
     const double row_height = height * (1 + rounding_of_sums) / static_cast<double>(rows);
@@ -80,7 +81,11 @@ double max_area_between_walls(std::size_t asv_count, double longest_broom, doubl
     // How many rows m is below the upper wall: at most one, then from `last` to `ends`.
     double most = most_along_chain(asv_count, along, 1, rows);
     for (std::size_t last = 1; last < rows / 2;) {
-        const std::size_t ends = std::min(last + std::max<std::size_t>(1, last / 2), rows / 2);
+        // As if every broom were level and as far from m as can be; less for all that follow.
+        const auto farthest = static_cast<double>((rows - last) * (asv_count - 1));
+        if (farthest * longest_broom <= most) break;
+        const std::size_t more = finely ? 1 : std::max<std::size_t>(1, last / 2);
+        const std::size_t ends = std::min(last + more, rows / 2);
         most = std::max(most, most_along_chain(asv_count, along, ends, rows - last));
         last = ends;
     }
