@@ -42,6 +42,11 @@ void check_ends(const Problem& problem, Claims& claims) {
 
 }  // namespace
 
+bool all_hold(const std::vector<CheckedClaim>& claims) {
+    return std::all_of(claims.begin(), claims.end(),
+                       [](const CheckedClaim& claim) { return claim.holds; });
+}
+
 void Claims::add_number(const std::string& claim, double stated, const Number& found) {
     const bool same = agrees(stated, found);
     const std::string text = text_of(found);
@@ -58,8 +63,7 @@ std::string text_of(const Number& value) {
 }  // namespace certificate_check
 
 bool CertificateVerdict::accepted() const {
-    return std::all_of(claims.begin(), claims.end(),
-                       [](const CheckedClaim& claim) { return claim.holds; });
+    return certificate_check::all_hold(claims);
 }
 
 CertificateVerdict check_certificate(const Certificate& certificate, const Problem& problem,
@@ -67,6 +71,8 @@ CertificateVerdict check_certificate(const Certificate& certificate, const Probl
     using namespace certificate_check;
     Claims claims;
     check_problem(certificate.problem, problem, digest, claims);
+    // What it says of another problem is beside the point.
+    if (!claims.hold()) return {claims.take()};
     if (!std::holds_alternative<AreaProof>(certificate.proof)) check_ends(problem, claims);
     std::visit([&](const auto& proof) { check(proof, problem, claims); }, certificate.proof);
     return {claims.take()};

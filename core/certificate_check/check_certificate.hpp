@@ -27,10 +27,10 @@ struct CertificateVerdict {
 /// Obstacles in one certificate beyond this are refused: each pair of them costs time.
 inline constexpr std::size_t most_certified_obstacles = 2000;
 
-/// Checks every number and every claim of the certificate. digest: of the problem, as the
-/// certificate should have it. Any certificate is allowed, whatever its numbers, as long as they
-/// are finite. The longest work is that for corridors of different heights, for 100 ASVs a second
-/// each.
+/// Checks every number and every claim of the certificate; of one about another problem only that.
+/// digest: of the problem, as the certificate should have it. Any certificate is allowed, whatever
+/// its numbers, as long as they are finite. The longest work is that for corridors of different
+/// heights, for 100 ASVs a second each.
 CertificateVerdict check_certificate(const Certificate& certificate, const Problem& problem,
                                      const std::string& digest);
 

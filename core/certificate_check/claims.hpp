@@ -9,6 +9,8 @@
 
 namespace asv::core::certificate_check {
 
+bool all_hold(const std::vector<CheckedClaim>& claims);
+
 /// The claims that have been looked at so far, and the way to add one.
 class Claims {
   public:
@@ -18,6 +20,8 @@ class Claims {
 
     /// A number that the certificate states, against the one that is found here.
     void add_number(const std::string& claim, double stated, const Number& found);
+
+    bool hold() const { return all_hold(claims_); }
 
     std::vector<CheckedClaim> take() { return std::move(claims_); }
 
