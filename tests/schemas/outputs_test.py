@@ -79,6 +79,27 @@ def outputs_of_trajectories():
     expect(seen["validation"][-1]["parts"][1]["checks"][2]["worst"]["line"] is None, "a line is known")
 
 
+def outputs_of_certificates():
+    problems = sorted((CASES / "infeasible").glob("*.txt"))
+    for number, words in enumerate((["corridor", "-n", 3, "--height-factor", 0.9], ["corridor", "-n", 3, "--height-factor", 0.97])):
+        run("asv-generate", *words, "--seed", 3, "--quiet", "-o", f"low-{number}.txt")
+        problems.append(f"low-{number}.txt")
+    # Two boxes that touch each other and the border.
+    Path("seams.json").write_text(json.dumps({
+        "version": 1, "body": {"kind": "chain", "asv_count": 3}, "start": [[0.1, 0.2], [0.1, 0.15], [0.15, 0.15]],
+        "goal": [[0.8, 0.2], [0.8, 0.15], [0.85, 0.15]], "obstacles": [[[0.5, 0], [0.6, 0.5]], [[0.5, 0.5], [0.6, 1]]]}))
+    for problem in [*problems, "seams.json"]:
+        run("asv-solve", problem, "s.txt", "--quiet", "--certificate", "c.json", code=4)
+        take("c.json", "certificate")
+        run("asv-validate", problem, "--certificate", "c.json", "--json", "v.json")
+        take("v.json", "verdict")
+    expect({value["reason"] for value in seen["certificate"]} ==
+           {"no_area", "opposite_orientation", "separated", "corridor_too_low"}, "not every reason was met")
+    expect(any(value["proof"].get("seams") for value in seen["certificate"]), "there was no seam")
+    run("asv-validate", CASES / "3ASV.txt", "--certificate", "c.json", "--json", "v.json", code=1)
+    take("v.json", "verdict")
+
+
 def outputs_of_generate():
     for family in FAMILIES:
         run("asv-generate", "-n", 3, "--seed", 2, "--solvable", "--quiet", "-o", "p.txt", family)
@@ -147,7 +168,8 @@ def main():
     os.environ["PATH"] = f"{programs}:{os.environ['PATH']}"
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        for write in (outputs_of_solve, outputs_of_validate, outputs_of_trajectories, outputs_of_generate, outputs_of_bench):
+        for write in (outputs_of_solve, outputs_of_validate, outputs_of_trajectories, outputs_of_certificates,
+                      outputs_of_generate, outputs_of_bench):
             write()
         os.chdir(root)
     for name in schemas:

@@ -26,6 +26,8 @@ Words solve() {
              {"Trajectory",
               "For each sample its time in seconds and, for every vehicle, position, heading in "
               "radians and speed; in YAML a nav_msgs/Path of ROS for each vehicle."},
+             {"Certificate",
+              "JSON: what a proof that there is no path rests on, for asv-validate --certificate."},
              {"Trees", "JSON with a point for ASV 1 in every node; asv-view draws them."},
              {"Statistics", "JSON with times, counts, costs and what any path costs at least."}},
             {{"asv-solve problem.txt solution.txt", "Plans with the default planner."},
@@ -36,6 +38,8 @@ Words solve() {
              {"asv-solve problem.txt solution.txt --trajectory t.csv --speed 0.05 "
               "--acceleration 0.02",
               "Writes the path with times, too."},
+             {"asv-solve problem.txt solution.txt --certificate proof.json",
+              "Writes the proof where there is no path."},
              {"asv-solve --list-planners", "Tells all planners and settings, with sources."}}};
 }
 
@@ -47,6 +51,8 @@ Words validate() {
             {{"asv-validate problem.txt", "Are the start and the goal of the problem valid?"},
              {"asv-validate problem.txt solution.txt --continuous",
               "Is the solution valid, between its steps too?"},
+             {"asv-validate problem.txt --certificate proof.json",
+              "Does the proof hold that there is no path?"},
              {"asv-validate problem.txt solution.txt --trajectory t.csv --speed 0.05 "
               "--acceleration 0.02",
               "Does the trajectory keep to the path and the limits?"}}};
