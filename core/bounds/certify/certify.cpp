@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/bounds/certify/certify_walls.hpp"
+#include "core/bounds/chain_limits.hpp"
 #include "core/bounds/feasibility.hpp"
 #include "core/model/planning_window.hpp"
 #include "geometry/predicates/polygon.hpp"
@@ -14,25 +15,16 @@ namespace asv::core {
 
 namespace {
 
-double greatest_length(const Problem& problem) {
-    const Requirements& r = problem.requirements;
-    return static_cast<double>(problem.asv_count() - 1) * (r.broom_length + r.tolerance);
-}
-
-double required_area(const Problem& problem) {
-    return problem.requirements.min_area(problem.asv_count()) - problem.requirements.tolerance;
-}
-
 AreaProof area_proof(const Problem& problem) {
-    const double length = greatest_length(problem);
+    const double length = longest_chain(problem);
     const double area = problem.asv_count() < 3 ? 0 : length * length / (2 * std::numbers::pi);
-    return {length, area, required_area(problem)};
+    return {length, area, least_area(problem)};
 }
 
 OrientationProof orientation_proof(const Problem& problem) {
     const Requirements& r = problem.requirements;
     return {geometry::signed_area(problem.start), geometry::signed_area(problem.goal),
-            (r.max_step + r.tolerance) * 2 * greatest_length(problem), required_area(problem)};
+            (r.max_step + r.tolerance) * 2 * longest_chain(problem), least_area(problem)};
 }
 
 }  // namespace
