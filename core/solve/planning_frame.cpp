@@ -105,6 +105,13 @@ Path PlanningFrame::path_back(const Path& path) const {
     return back;
 }
 
+std::vector<Placement> PlanningFrame::placements_back(std::vector<Placement> placements) const {
+    for (Placement& placement : placements)
+        for (Point& point : placement.points) point = point_back(point);
+    if (reversed_) std::reverse(placements.begin(), placements.end());
+    return placements;
+}
+
 std::vector<TreePicture> PlanningFrame::trees_back(std::vector<TreePicture> trees) const {
     for (TreePicture& tree : trees) {
         for (Point& point : tree.points) point = point_back(point);

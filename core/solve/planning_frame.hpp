@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/model/path.hpp"
+#include "core/model/placement.hpp"
 #include "core/model/problem.hpp"
 #include "core/solve/tree_picture.hpp"
 
@@ -40,6 +41,8 @@ class PlanningFrame {
     Path path_in(const Path& given) const;
     /// Leads from the given start to the given goal.
     Path path_back(const Path& path) const;
+    /// Of a path, from the given start to the given goal.
+    std::vector<Placement> placements_back(std::vector<Placement> placements) const;
     /// The tree of the given start first.
     std::vector<TreePicture> trees_back(std::vector<TreePicture> trees) const;
 

@@ -11,6 +11,7 @@
 #include "core/bounds/feasibility.hpp"
 #include "core/model/cost.hpp"
 #include "core/model/planning_window.hpp"
+#include "core/solve/planning_obstacles.hpp"
 #include "core/solve/replan.hpp"
 #include "core/solve/stages/find_bounds.hpp"
 #include "core/solve/stages/improve_path.hpp"
@@ -114,6 +115,7 @@ void finish(const SolveCall& call, const RaceResult& first, SolveResult& result)
     }
     check_solution(call, call.frame.path_back(*steps), result);
     if (!result.solution) return;
+    result.corners = call.frame.placements_back(call.solver.placements(best));
     note_cost(result.solution->cost, call.clock.elapsed(), result.statistics);
     if (call.options.find_bounds)
         find_bounds(call, time_to_write(result.solution->path), result.statistics);
@@ -146,33 +148,37 @@ void plan(const SolveCall& call, const Path* last, SolveResult& result) {
     }
 }
 
-/// solve() and, with a last path, replan().
-SolveResult solve_from(const Path* last, const Problem& problem, const SolveOptions& options) {
+}  // namespace
+
+SolveResult solve_among(const PlanningObstacles* prepared, const Path* last, const Problem& problem,
+                        const SolveOptions& options) {
     const SolveClock clock(options.time_limit, options.elapsed_before);
     require_usable(options.planner, problem.body_kind());
     if (auto proof = check_area(problem); proof.cause != Infeasibility::none)
         return infeasible(std::move(proof.reason));
-    if (auto invalid = invalid_ends(problem); !invalid.empty())
-        throw InvalidEnds(std::move(invalid));
+    std::optional<PlanningFrame> frame;
+    if (prepared) frame.emplace(problem, options.reverse);
+    auto invalid = prepared ? prepared->find_invalid_ends(problem, *frame) : invalid_ends(problem);
+    if (!invalid.empty()) throw InvalidEnds(std::move(invalid));
     if (auto proof = check_orientation(problem); proof.cause != Infeasibility::none)
         return infeasible(std::move(proof.reason));
 
-    const PlanningFrame frame(problem, options.reverse);
-    const auto solver = make_body_solver(frame.problem(), options.planner);
+    if (!frame) frame.emplace(problem, options.reverse);
+    const auto solver = make_body_solver(frame->problem(), options.planner,
+                                         prepared ? prepared->in(*frame) : nullptr);
     SolveResult result;
-    plan({problem, options, clock, frame, *solver, time_to_finish(problem, options)}, last, result);
+    plan({problem, options, clock, *frame, *solver, time_to_finish(problem, options)}, last,
+         result);
     result.statistics.time_total = clock.elapsed();
     return result;
 }
 
-}  // namespace
-
 SolveResult solve(const Problem& problem, const SolveOptions& options) {
-    return solve_from(nullptr, problem, options);
+    return solve_among(nullptr, nullptr, problem, options);
 }
 
 SolveResult replan(const Problem& problem, const Path& last_path, const SolveOptions& options) {
-    return solve_from(&last_path, problem, options);
+    return solve_among(nullptr, &last_path, problem, options);
 }
 
 }  // namespace asv::core

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/model/path.hpp"
+#include "core/model/placement.hpp"
 #include "core/solve/tree_picture.hpp"
 #include "core/validation/report.hpp"
 
@@ -42,6 +43,11 @@ struct SolveResult {
     SolveStatus status = SolveStatus::timeout;
     std::string reason;                ///< why there is no solution; empty when solved
     std::optional<Solution> solution;  ///< passed the validator
+    /// Where the path of the solution has its corners, start and goal included: some ten to a
+    /// hundred placements between which it was cut into primitive steps. From one to the next the
+    /// angles of an arm or the place of a point change evenly; of a chain the middle of its ASVs
+    /// (of planner rrt-connect ASV 1), its heading and its turns. Steps may cut a corner.
+    std::vector<Placement> corners;
     /// What the validator says of the solution: `checks` all hold; `motion` is there where
     /// SolveOptions::certify_motion asks for it, and may say that it is not certified.
     ValidationReport report;

@@ -13,11 +13,13 @@ Metric mean_metric(const Problem& problem, const Chain& chain) {
 
 }  // namespace
 
-ChainWorld::ChainWorld(const Problem& given, Anchor anchor)
+ChainWorld::ChainWorld(const Problem& given, Anchor anchor,
+                       const std::shared_ptr<const KeptObstacles>& prepared)
     : problem(given),
       chain(problem.asv_count(), problem.requirements.broom_length, anchor),
-      constraints(make_constraints(problem, chain)),
-      field(constraints.obstacles),
+      constraints(make_constraints(problem, chain, {}, prepared.get())),
+      shared_field(field_of(constraints.obstacles, prepared)),
+      field(*shared_field),
       metric(mean_metric(problem, chain)),
       start(chain.dimension()),
       goal(chain.dimension()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/chain/chain.hpp"
@@ -7,6 +8,7 @@
 #include "core/search/trees/nearest.hpp"
 #include "core/space/metric.hpp"
 #include "core/space/proof/chain_constraints.hpp"
+#include "core/space/proof/kept_obstacles.hpp"
 #include "core/space/proof/motion_checker.hpp"
 #include "core/space/proof/obstacle_field.hpp"
 
@@ -14,9 +16,11 @@ namespace asv::core {
 
 /// The problem of a chain of ASVs made ready for planning: immutable, shared by all threads.
 struct ChainWorld {
+    /// prepared: the problem's obstacles, where they are at hand; the world is the same without.
     /// Precondition: start and goal of the problem are valid and turn counter-clockwise; its bounds
     /// are finite.
-    ChainWorld(const Problem& given, Anchor anchor);
+    ChainWorld(const Problem& given, Anchor anchor,
+               const std::shared_ptr<const KeptObstacles>& prepared = nullptr);
     ChainWorld(const ChainWorld&) = delete;
     ChainWorld& operator=(const ChainWorld&) = delete;
 
@@ -28,7 +32,8 @@ struct ChainWorld {
     Problem problem;
     Chain chain;
     ChainConstraints constraints;
-    ObstacleField field;
+    std::shared_ptr<const ObstacleField> shared_field;  ///< with other worlds
+    const ObstacleField& field;
     Metric metric;
     std::vector<double> start, goal;  ///< configurations
 };

@@ -60,12 +60,13 @@ std::vector<double> values_of(const Problem& problem, std::span<const Point> sta
 
 }  // namespace
 
-JointWorld::JointWorld(const Problem& given)
+JointWorld::JointWorld(const Problem& given, const std::shared_ptr<const KeptObstacles>& prepared)
     : problem(given),
       coordinates(),
       chain(link_lengths(problem)),
-      constraints(make_joint_constraints(problem, chain)),
-      field(constraints.obstacles) {
+      constraints(make_joint_constraints(problem, chain, {}, prepared.get())),
+      shared_field(field_of(constraints.obstacles, prepared)),
+      field(*shared_field) {
     coordinates = coordinates_of(problem, constraints.bounds);
     start = row_of(problem, false, coordinates);
     goal = row_of(problem, true, coordinates);
@@ -82,9 +83,20 @@ void JointWorld::chain_row(std::span<const double> row, std::span<double> out) c
         std::copy(row.begin(), row.end(), out.begin());
         return;
     }
-    std::vector<double> angles(row.size());
-    for (std::size_t i = 0; i < row.size(); ++i) angles[coordinates[i].joint] = row[i];
-    arm_configuration(*arm, problem.start[0], angles, out);
+    arm_configuration(*arm, problem.start[0], values_in_order(row), out);
+}
+
+Placement JointWorld::placement(std::span<const double> row) const {
+    const PlanarArm* arm = problem.arm();
+    if (!arm) return {{{row[0], row[1]}}, {}};
+    const std::vector<double> angles = values_in_order(row);
+    return {arm_points(*arm, problem.start[0], angles), angles};
+}
+
+std::vector<double> JointWorld::values_in_order(std::span<const double> row) const {
+    std::vector<double> values(row.size());
+    for (std::size_t i = 0; i < row.size(); ++i) values[coordinates[i].joint] = row[i];
+    return values;
 }
 
 Configurations JointWorld::chain_rows(const Configurations& rows) const {

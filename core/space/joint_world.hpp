@@ -1,14 +1,17 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/chain/chain.hpp"
 #include "core/model/path.hpp"
+#include "core/model/placement.hpp"
 #include "core/model/problem.hpp"
 #include "core/search/search_result.hpp"
 #include "core/space/proof/chain_constraints.hpp"
+#include "core/space/proof/kept_obstacles.hpp"
 #include "core/space/proof/motion_checker.hpp"
 #include "core/space/proof/obstacle_field.hpp"
 
@@ -25,9 +28,11 @@ struct JointCoordinate {
 /// A configuration is the row of its joint angles (those that wrap first, else in order), or x, y.
 class JointWorld {
   public:
+    /// prepared: the problem's obstacles, where they are at hand; the world is the same without.
     /// Precondition: the body is no chain of ASVs; start and goal of the problem are valid, its
     /// bounds are finite.
-    explicit JointWorld(const Problem& given);
+    explicit JointWorld(const Problem& given,
+                        const std::shared_ptr<const KeptObstacles>& prepared = nullptr);
     JointWorld(const JointWorld&) = delete;
     JointWorld& operator=(const JointWorld&) = delete;
 
@@ -39,6 +44,8 @@ class JointWorld {
     void chain_row(std::span<const double> row, std::span<double> out) const;
     /// A whole path likewise.
     Configurations chain_rows(const Configurations& rows) const;
+    /// Where the body is.
+    Placement placement(std::span<const double> row) const;
     /// The configurations of states, each by full turns of its angles the nearest to the one before
     /// it, the first to the start. Precondition: states of the problem's body.
     Configurations rows_of(const Path& path) const;
@@ -49,8 +56,13 @@ class JointWorld {
     std::vector<JointCoordinate> coordinates;
     Chain chain;
     ChainConstraints constraints;
-    ObstacleField field;
+    std::shared_ptr<const ObstacleField> shared_field;  ///< with other worlds
+    const ObstacleField& field;
     std::vector<double> start, goal;  ///< configurations
+
+  private:
+    /// Those of a configuration, by joints.
+    std::vector<double> values_in_order(std::span<const double> row) const;
 };
 
 }  // namespace asv::core

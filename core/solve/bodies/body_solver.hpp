@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "core/model/path.hpp"
+#include "core/model/placement.hpp"
 #include "core/model/problem.hpp"
 #include "core/search/limits.hpp"
 #include "core/search/rng.hpp"
 #include "core/search/search_result.hpp"
 #include "core/shorten/improve.hpp"
 #include "core/solve/planner_catalogue.hpp"
+#include "core/space/proof/kept_obstacles.hpp"
 
 namespace asv::core {
 
@@ -77,16 +79,23 @@ class BodySolver {
     virtual std::optional<Path> steps(const Configurations& path,
                                       Clock::time_point deadline) const = 0;
 
+    /// Where the body is at each configuration of a path, its ends as the problem has them.
+    virtual std::vector<Placement> placements(const Configurations& path) const = 0;
+
     /// Where the body is to be seen at each node of a tree: ASV 1, the tip of an arm, the point.
     virtual std::vector<Point> places(const Tree& tree) const = 0;
 };
 
 /// The solver for the body of a problem in planning coordinates (see PlanningFrame), whose ends are
-/// valid. Keeps references to both.
-std::unique_ptr<BodySolver> make_body_solver(const Problem& problem, const Planner& planner);
+/// valid. Keeps references to both. prepared: the problem's obstacles, where they are at hand.
+std::unique_ptr<BodySolver> make_body_solver(
+    const Problem& problem, const Planner& planner,
+    const std::shared_ptr<const KeptObstacles>& prepared = nullptr);
 
 /// The two makers behind it: for a chain of ASVs, and for an arm or a point.
-std::unique_ptr<BodySolver> make_chain_solver(const Problem& problem, const Planner& planner);
-std::unique_ptr<BodySolver> make_joint_solver(const Problem& problem, const Planner& planner);
+std::unique_ptr<BodySolver> make_chain_solver(const Problem& problem, const Planner& planner,
+                                              const std::shared_ptr<const KeptObstacles>& prepared);
+std::unique_ptr<BodySolver> make_joint_solver(const Problem& problem, const Planner& planner,
+                                              const std::shared_ptr<const KeptObstacles>& prepared);
 
 }  // namespace asv::core

@@ -76,7 +76,8 @@ Anchor anchor_of(const Planner& planner) {
 }
 
 /// A lone ASV has no broom that could collide, so that nothing forbids it to cross obstacles; it
-/// goes round them as chains do where there is a way round, and straight ahead where there is none.
+/// goes round them as chains do where there is a way round, and straight ahead where there is none:
+/// it has obstacles of its own.
 Problem kept_off_obstacles(Problem problem) {
     if (problem.asv_count() > 1) return problem;
     std::vector<Box> kept_off;
@@ -91,8 +92,11 @@ Problem kept_off_obstacles(Problem problem) {
 
 class ChainSolver : public BodySolver {
   public:
-    ChainSolver(const Problem& problem, const Planner& planner)
-        : planner_(planner), world_(kept_off_obstacles(problem), anchor_of(planner)) {}
+    ChainSolver(const Problem& problem, const Planner& planner,
+                const std::shared_ptr<const KeptObstacles>& prepared)
+        : planner_(planner),
+          world_(kept_off_obstacles(problem), anchor_of(planner),
+                 problem.asv_count() > 1 ? prepared : nullptr) {}
 
     Attempt search(const Limits& limits, Rng& rng, const Observer& observer,
                    std::size_t racer) const override {
@@ -146,6 +150,20 @@ class ChainSolver : public BodySolver {
                               Clock::time_point deadline) const override {
         MotionChecker checker = world_.make_checker();
         return primitive_steps_before(deadline, world_.problem, path, checker);
+    }
+
+    std::vector<Placement> placements(const Configurations& path) const override {
+        const std::size_t d = world_.chain.dimension();
+        Pose pose = world_.chain.make_pose();
+        std::vector<Placement> found(path.size() / d);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            world_.chain.forward({path.data() + i * d, d}, pose);
+            for (std::size_t j = 0; j < pose.x.size(); ++j)
+                found[i].points.push_back({pose.x[j], pose.y[j]});
+        }
+        found.front().points = world_.problem.start;
+        found.back().points = world_.problem.goal;
+        return found;
     }
 
     std::vector<Point> places(const Tree& tree) const override {
@@ -203,8 +221,10 @@ class ChainSolver : public BodySolver {
 
 }  // namespace
 
-std::unique_ptr<BodySolver> make_chain_solver(const Problem& problem, const Planner& planner) {
-    return std::make_unique<ChainSolver>(problem, planner);
+std::unique_ptr<BodySolver> make_chain_solver(
+    const Problem& problem, const Planner& planner,
+    const std::shared_ptr<const KeptObstacles>& prepared) {
+    return std::make_unique<ChainSolver>(problem, planner, prepared);
 }
 
 }  // namespace asv::core

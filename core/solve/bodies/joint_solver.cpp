@@ -51,8 +51,9 @@ Attempt found_path(const JointWorld& world, const Configurations& path) {
 
 class JointSolver : public BodySolver {
   public:
-    JointSolver(const Problem& problem, const Planner& planner)
-        : planner_(planner), world_(problem) {
+    JointSolver(const Problem& problem, const Planner& planner,
+                const std::shared_ptr<const KeptObstacles>& prepared)
+        : planner_(planner), world_(problem, prepared) {
         if (std::holds_alternative<AutoPlanner>(planner) && problem.body_kind() == BodyKind::point)
             geodesic_ = point_geodesic(world_);
     }
@@ -119,6 +120,14 @@ class JointSolver : public BodySolver {
         return primitive_steps_before(deadline, world_.problem, world_.chain_rows(path), checker);
     }
 
+    std::vector<Placement> placements(const Configurations& path) const override {
+        const std::size_t d = world_.dimension();
+        std::vector<Placement> found;
+        for (std::size_t i = 0; i < path.size() / d; ++i)
+            found.push_back(world_.placement({path.data() + i * d, d}));
+        return found;
+    }
+
     std::vector<Point> places(const Tree& tree) const override {
         JointSpace space(world_);
         std::vector<Point> points;
@@ -149,13 +158,16 @@ class JointSolver : public BodySolver {
 
 }  // namespace
 
-std::unique_ptr<BodySolver> make_joint_solver(const Problem& problem, const Planner& planner) {
-    return std::make_unique<JointSolver>(problem, planner);
+std::unique_ptr<BodySolver> make_joint_solver(
+    const Problem& problem, const Planner& planner,
+    const std::shared_ptr<const KeptObstacles>& prepared) {
+    return std::make_unique<JointSolver>(problem, planner, prepared);
 }
 
-std::unique_ptr<BodySolver> make_body_solver(const Problem& problem, const Planner& planner) {
-    return problem.body_kind() == BodyKind::chain ? make_chain_solver(problem, planner)
-                                                  : make_joint_solver(problem, planner);
+std::unique_ptr<BodySolver> make_body_solver(const Problem& problem, const Planner& planner,
+                                             const std::shared_ptr<const KeptObstacles>& prepared) {
+    return problem.body_kind() == BodyKind::chain ? make_chain_solver(problem, planner, prepared)
+                                                  : make_joint_solver(problem, planner, prepared);
 }
 
 }  // namespace asv::core

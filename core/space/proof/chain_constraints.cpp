@@ -70,22 +70,54 @@ std::vector<Pose> poses_of_ends(const Problem& problem, const Chain& chain) {
     return ends;
 }
 
-void keep_clear(const Problem& problem, const std::vector<Pose>& ends, const Margins& margins,
-                ChainConstraints& result) {
-    const Requirements& required = problem.requirements;
-    const double e = required.tolerance;
-    for (const Box& box : problem.obstacles) {
-        const Box shrunk = geometry::grown(box, -e);
-        if (geometry::is_empty(shrunk)) continue;
-        const auto to_box = [&](const Pose& pose) { return clearance(pose, box); };
-        double margin = kept(ends, margins, 0, margins.length, to_box);
+/// The obstacle with the margin that the ends leave it. Precondition: it has not vanished.
+Box kept_obstacle(const Box& box, double e, const std::vector<Pose>& ends, const Margins& margins) {
+    const auto to_box = [&](const Pose& pose) { return clearance(pose, box); };
+    double margin = kept(ends, margins, 0, margins.length, to_box);
+    if (margin < 0) {
         // An end that is inside the box by rounding is still outside the shrunk one.
-        if (margin < 0)
-            margin = kept(ends, margins, -e, e + margins.length,
-                          [&](const Pose& pose) { return clearance(pose, shrunk) - e; });
-        result.obstacles.push_back(geometry::grown(box, margin));
+        const Box shrunk = geometry::grown(box, -e);
+        margin = kept(ends, margins, -e, e + margins.length,
+                      [&](const Pose& pose) { return clearance(pose, shrunk) - e; });
     }
+    return geometry::grown(box, margin);
+}
 
+std::vector<Box> kept_obstacles(const Problem& problem, const std::vector<Pose>& ends,
+                                const Margins& margins) {
+    const double e = problem.requirements.tolerance;
+    std::vector<Box> boxes;
+    for (const Box& box : problem.obstacles)
+        if (!geometry::is_empty(geometry::grown(box, -e)))
+            boxes.push_back(kept_obstacle(box, e, ends, margins));
+    return boxes;
+}
+
+/// The same, when only those near the ends have to be looked at.
+std::vector<Box> kept_obstacles(const Problem& problem, const std::vector<Pose>& ends,
+                                const Margins& margins, const KeptObstacles& prepared) {
+    // Farther from both ends an obstacle has its whole margin; twice that covers all rounding.
+    const double near = 2 * (margins.length + margins.slack);
+    const ObstacleField& field = prepared.field();
+    std::vector<Box> boxes(field.boxes().begin(), field.boxes().end());
+    const auto look = [&](std::size_t i, const Box& /*grown*/) {
+        const Box& box = problem.obstacles[prepared.numbers()[i]];
+        boxes[i] = kept_obstacle(box, problem.requirements.tolerance, ends, margins);
+    };
+    for (const Pose& pose : ends)
+        for (std::size_t k = 0; k < pose.x.size(); ++k) {
+            const std::size_t other = std::min(k + 1, pose.x.size() - 1);
+            field.visit_within({{pose.x[k], pose.y[k]}, {pose.x[other], pose.y[other]}}, near,
+                               look);
+        }
+    return boxes;
+}
+
+void keep_clear(const Problem& problem, const std::vector<Pose>& ends, const Margins& margins,
+                const KeptObstacles* prepared, ChainConstraints& result) {
+    result.obstacles = prepared ? kept_obstacles(problem, ends, margins, *prepared)
+                                : kept_obstacles(problem, ends, margins);
+    const Requirements& required = problem.requirements;
     const auto extreme = [](const std::vector<double>& values, double sign) {
         double least = std::numeric_limits<double>::infinity();
         for (double value : values) least = std::min(least, sign * value);
@@ -104,7 +136,7 @@ void keep_clear(const Problem& problem, const std::vector<Pose>& ends, const Mar
 }  // namespace
 
 ChainConstraints make_constraints(const Problem& problem, const Chain& chain,
-                                  const Margins& margins) {
+                                  const Margins& margins, const KeptObstacles* prepared) {
     const std::vector<Pose> ends = poses_of_ends(problem, chain);
     ChainConstraints result;
     result.min_turn.assign(chain.turn_count(), 0.0);
@@ -115,7 +147,7 @@ ChainConstraints make_constraints(const Problem& problem, const Chain& chain,
         for (std::size_t i = 0; i < chain.turn_count(); ++i)
             result.min_turn[i] = std::min(result.min_turn[i], row[3 + i]);
     }
-    keep_clear(problem, ends, margins, result);
+    keep_clear(problem, ends, margins, prepared, result);
     if (chain.asv_count() < 3) return result;
 
     const double min_area = problem.requirements.min_area(chain.asv_count());
@@ -131,7 +163,7 @@ ChainConstraints make_constraints(const Problem& problem, const Chain& chain,
 }
 
 ChainConstraints make_joint_constraints(const Problem& problem, const Chain& chain,
-                                        const Margins& margins) {
+                                        const Margins& margins, const KeptObstacles* prepared) {
     ChainConstraints result;
     result.shaped = false;
     const Box& b = problem.requirements.bounds;
@@ -139,7 +171,7 @@ ChainConstraints make_joint_constraints(const Problem& problem, const Chain& cha
         result.extent = std::max(result.extent, std::abs(coordinate));
     Margins scaled = margins;
     scaled.slack *= result.extent;
-    keep_clear(problem, poses_of_ends(problem, chain), scaled, result);
+    keep_clear(problem, poses_of_ends(problem, chain), scaled, prepared, result);
     return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/chain/chain.hpp"
 #include "core/model/problem.hpp"
+#include "core/space/proof/kept_obstacles.hpp"
 
 namespace asv::core {
 
@@ -38,14 +39,18 @@ struct Margins {
     double slack = 1e-11;  ///< room that start and goal get: above rounding, below any tolerance
 };
 
+/// prepared: the problem's obstacles grown by margins.length, which spares looking at those that
+/// are far from both ends; the constraints are the same without them.
 /// Precondition: start and goal of the problem are valid and counter-clockwise.
 ChainConstraints make_constraints(const Problem& problem, const Chain& chain,
-                                  const Margins& margins = {});
+                                  const Margins& margins = {},
+                                  const KeptObstacles* prepared = nullptr);
 
 /// The same for the chain of an arm or a point, of which only obstacles and bounds ask something.
 /// Precondition: start and goal of the problem are valid, its bounds finite.
 ChainConstraints make_joint_constraints(const Problem& problem, const Chain& chain,
-                                        const Margins& margins = {});
+                                        const Margins& margins = {},
+                                        const KeptObstacles* prepared = nullptr);
 
 /// The shoelace area of the closed polygon, positive when counter-clockwise.
 double area(const Pose& pose);
