@@ -24,8 +24,8 @@ case "$*" in
     "")
         # Those first that take long.
         tests=(bench_program search "${tests[@]}" solve programs generate chain_kernels bounds chain geometry
-            geometry_kernels model routes shorten space benchmark fuzz io io_benchmark
-            generate_program trajectory view_program)
+            geometry_kernels model routes shorten space benchmark certificate_check certificate_files fuzz io
+            io_benchmark generate_program trajectory view_program)
         with_manuals=true
         folder=.
         gates+=(--gate ".=$whole_gate")
@@ -50,25 +50,46 @@ fi
 left_out=(
     '*SaysThatItHasNoMemory*'
     BatchChecker.OneSeedGivesOnePathAndOneCountOnEveryTarget
+    BenchProgram.AllStandsForEveryPlanner
+    BenchProgram.ARunIsThatOfAsvSolve
+    EmptyRegion.IsTheMiddleOfACorridorThatIsTooLow
     ExternalPlanner.EndsAreToldApart
+    GenerateProgram.VerdictIsInTheSideFile
+    ImproveAlongRoutes.SameSeedSamePath
     LineCheck.ProvesWhatIsValidAndNothingElse
     'MemoryLimit.*'
+    Motion.PrefixEndsShortlyBeforeTheFirstInvalidState
     MotionProof.AThousandSamplesForEveryPrimitiveStepFindNothing
+    Ours/EveryPlanner.SolvesAnEasyOne/prm_bridge
+    Ours/EveryPlanner.SolvesAnEasyOne/prm_gaussian
+    Ours/EveryPlanner.SolvesAnEasyOne/prm_grid
     Ours/EveryPlanner.SolvesAnEasyOne/rrt_star
+    Ours/EveryScenario.IsSolvedValidatedAndShown/chain_by_hand
+    'Ours/EverySolvableTestCase.*15ASV*'
+    Ours/MethodA.SolvesIt/3ASV_clutter_20
+    PassageCheck.NeverClosesWhatThePlannerPasses
+    Picture.HoldsAHundredThousandObstacles
     Replan.EveryPlannerFindsAPath
     Resume.ASweepThatIsKilledAgainAndAgainGivesTheSameRows
     RrtStar.PathsGetShorterAsTheBudgetGrows
     'SameBytes.*'
     SetOfProblems.ASampleIsSolvedAndCostsNoLessThanTheBound
+    SetOfProblems.RunsBesideFilesUnderItsOwnNames
     SetOfProblems.ThoseWithoutAPathAreNeverReportedSolved
     'Soak.*'
     Solve.ImprovingNeverCostsMore
+    Solve.NeverClaimsThatNothingIsLeftWhereThereIs
     Solve.TheLastCostOfTheHistoryIsThatOfTheSolution
     'Solve/EachImage.*'
     SolvePlanners.EveryPlannerSolvesAnEasyOne
     SolvePlanners.EverySamplerServesEveryPlanner
     SolvePlanners.RrtConnectSolvesBySingleSteps
     SolvePlanners.RrtStarTellsWhenItsFirstPathWasThere
+    SolveProgram.SameSeedSameBytesOtherSeedOtherPath
+    Toy/EachPlanner.FindsTheDoor/GoalThenStart
+    Toy/EachPlanner.ObserversSeeTheSearchAndDoNotChangeIt/StartThenGoal
+    Toy/EachPlanner.SameSeedSamePath/StartThenGoal
+    'Toy/EachSampledPlanner.SameSeedSamePathWatchedOrNot/Rrt*'
     Vouch.NeverVouchesForWhatCannotBe
 )
 # Each program of tests runs all its tests in one process, as every process takes a while to add its counts.

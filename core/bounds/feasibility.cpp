@@ -141,13 +141,12 @@ Feasibility check_separation(const Problem& problem) {
 }
 
 Feasibility check_passages(const Problem& problem) {
-    // Some seconds in the worst case.
-    constexpr std::size_t most_cells = 400'000;
+    constexpr std::size_t most_cells = 200'000;
     return PassageCheck(bounded(problem)).work(most_cells);
 }
 
 Feasibility check_feasibility(const Problem& problem) {
-    for (const auto& check : {check_area, check_orientation, check_separation, check_passages}) {
+    for (const auto& check : {check_area, check_orientation, check_separation}) {
         Feasibility found = check(problem);
         if (found.cause != Infeasibility::none) return found;
     }

@@ -60,13 +60,14 @@ Feasibility check_orientation(const Problem& problem);
 Feasibility check_separation(const Problem& problem);
 
 /// Has a chain room on its ways, to pass gates between obstacles and to turn (see PassageCheck)?
-/// Nothing is found for other bodies, for more than 12 ASVs or 1000 obstacles. Takes up to a second
-/// or so. Precondition: both are valid states.
+/// Nothing is found for other bodies, for more than 12 ASVs or 1000 obstacles. Takes up to half a
+/// second or so; solve() goes on for longer. Precondition: both are valid states.
 Feasibility check_passages(const Problem& problem);
 
-/// Looks for a proof that the problem has no solution, the cheapest first. Every cause is proven as
-/// its description says, whatever primitive steps a path is made of.
-/// Precondition: start and goal are valid states, except that two ASVs never are, for want of area.
+/// Looks for a proof that the problem has no solution, the cheapest first, by all of the above but
+/// check_passages(). Every cause is proven as its description says, whatever primitive steps a path
+/// is made of. Precondition: start and goal are valid states, except that two ASVs never are, for
+/// want of area.
 Feasibility check_feasibility(const Problem& problem);
 
 }  // namespace asv::core

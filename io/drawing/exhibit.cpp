@@ -57,7 +57,8 @@ std::optional<std::size_t> find_tightest(const std::vector<StateMeasures>& measu
 core::Feasibility feasibility_of(const ExhibitInput& input, bool valid_ends) {
     constexpr std::size_t most_obstacles = 20'000;
     if (input.solution || !valid_ends || input.problem.obstacles.size() > most_obstacles) return {};
-    return core::check_feasibility(input.problem);
+    const core::Feasibility found = core::check_feasibility(input.problem);
+    return found.cause != core::Infeasibility::none ? found : core::check_passages(input.problem);
 }
 
 std::string counted(std::size_t count, const std::string& what) {

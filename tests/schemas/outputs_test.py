@@ -106,8 +106,8 @@ def outputs_of_generate():
         take("p.txt.json", "generation")
     run("asv-generate", "-n", 3, "--infeasible", "turned", "--solvable", "--quiet", "-o", "p.txt", "clutter")
     take("p.txt.json", "generation")
-    # Too low, but shorter than the chain: neither a path nor a proof.
-    run("asv-generate", "-n", 3, "--solvable", "--quiet", "-o", "p.txt", "corridor", "--height-factor", 0.1, "--length", 0.09)
+    # Between what is proven and what is found.
+    run("asv-generate", "-n", 3, "--solvable", "--quiet", "-o", "p.txt", "bend", "--bends", 1, "--height-factor", 1.3)
     take("p.txt.json", "generation")
     scenario = json.loads((CASES / "bodies" / "chain-by-hand.json").read_text())
     del scenario["goal"]

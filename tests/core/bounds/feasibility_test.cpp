@@ -72,8 +72,8 @@ TEST(Feasibility, TouchingBoxesAreAProofForShortChainsOnly) {
 TEST(Feasibility, AGapWiderThanTheToleranceIsOpen) {
     Problem problem = test::wall_of_two(3, 1);
     problem.obstacles[0].high.y -= 2.1e-5;
-    EXPECT_EQ(check_separation(problem).cause, Infeasibility::none);
-    EXPECT_EQ(check_feasibility(problem).cause, Infeasibility::gates_closed) << "but no chain fits";
+    EXPECT_EQ(check_feasibility(problem).cause, Infeasibility::none);
+    EXPECT_EQ(check_passages(problem).cause, Infeasibility::gates_closed) << "but no chain fits";
 }
 
 TEST(Feasibility, AThinWallMightBeJumpedOver) {

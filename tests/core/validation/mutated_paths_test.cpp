@@ -192,7 +192,7 @@ void compare(const test::Case& made, double tolerance, Tallies& tallies) {
 TEST(MutatedPaths, VerdictsAreThoseOfTheOracle) {
     Tallies tallies, without_tolerance;
     Random random(1);
-    const std::size_t cases = test::scaled(10'000);
+    const std::size_t cases = test::scaled(6'000);
     for (std::size_t i = 0; i < cases; ++i) {
         SCOPED_TRACE("seed 1, case " + std::to_string(i));
         const test::Case made = mutated_case(random);

@@ -218,7 +218,7 @@ std::string broken(test::Random& random, std::string text) {
 TEST(Certificates, WithANumberChangedAreRefused) {
     const std::vector<Case> all = cases();
     test::Random random(1);
-    for (std::size_t i = 0; i < test::scaled(200); ++i) {
+    for (std::size_t i = 0; i < test::scaled(80); ++i) {
         const Case& one = all[i % all.size()];
         Json document = Json::parse(one.text);
         change_number(random, document);
@@ -229,7 +229,7 @@ TEST(Certificates, WithANumberChangedAreRefused) {
 TEST(Certificates, ThatAreChangedOtherwiseAreRefusedOrTrue) {
     const std::vector<Case> all = cases();
     test::Random random(2);
-    std::size_t refused = 0, count = test::scaled(200);
+    std::size_t refused = 0, count = test::scaled(80);
     for (std::size_t i = 0; i < count; ++i) {
         const Case& one = all[i % all.size()];
         Json document = Json::parse(one.text);

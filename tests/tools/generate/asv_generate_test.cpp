@@ -88,9 +88,16 @@ TEST_F(GenerateProgram, VerdictIsInTheSideFile) {
         "no chain of 5 ASVs passes the corridor between obstacles 1 and 2: "));
     EXPECT_EQ(message(), "");
 
-    // Shorter than the chain, which the proof does not cover.
+    // Shorter than the chain: that proof comes after the planner.
     ASSERT_EQ(run("corridor -n 5 --height-factor 0.3 --length 0.15 --solvable -o r.txt"), 0);
     record = nlohmann::json::parse(text("r.txt.json"));
+    EXPECT_EQ(record["verdict"], "infeasible");
+    EXPECT_TRUE(record["reason"].get<std::string>().starts_with(
+        "no chain of 5 ASVs can have its middle between obstacles 1 and 2"));
+
+    // Between what is proven and what is found.
+    ASSERT_EQ(run("bend -n 3 --bends 1 --height-factor 1.3 --solvable -o s.txt"), 0);
+    record = nlohmann::json::parse(text("s.txt.json"));
     EXPECT_EQ(record["verdict"], "unknown");
     EXPECT_NE(record["reason"], "");
 }

@@ -136,7 +136,7 @@ Problem narrow_problem(std::size_t asv_count, Rng& rng) {
 
 TEST(EmptyRegion, IsNoneWhereAStateOfAPathHasItsMiddle) {
     std::size_t states = 0;
-    test::for_seeds(8, [&](Rng& rng) {
+    test::for_seeds(5, [&](Rng& rng) {
         const Problem problem = narrow_problem(3 + rng.below(6), rng);
         SolveOptions options;
         options.max_iterations = 20'000;
