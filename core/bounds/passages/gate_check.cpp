@@ -22,7 +22,9 @@ constexpr std::size_t most_cells_of_section = 400'000;
 /// Of a section, in primitive steps: hardly anything.
 constexpr double thickness = 1e-3;
 /// Beyond so many closed parts it is not asked without which there is a way.
-constexpr std::size_t most_to_leave_out = 100;
+constexpr std::size_t most_to_leave_out = 30;
+/// Pairs of obstacles that gates are looked for between in the time that a cell of chains takes.
+constexpr std::size_t pairs_for_a_cell = 100;
 
 double narrow_side(const geometry::Gate& gate) {
     const auto& [low, high] = gate.gap;
@@ -56,15 +58,16 @@ std::vector<Box> GateCheck::closed() const {
 
 void GateCheck::work(std::size_t& cells) {
     while (cells > 0 && !finished_) {
-        if (waiting_.empty()) look_for_sections();
+        if (waiting_.empty()) look_for_sections(cells);
         finished_ = waiting_.empty();
-        if (!finished_) examine_next(cells);
+        if (!finished_ && cells > 0) examine_next(cells);
     }
 }
 
 /// The sections of the gates on the shortest way, the narrowest next. None where there is no way,
 /// or one with all its gates examined.
-void GateCheck::look_for_sections() {
+void GateCheck::look_for_sections(std::size_t& cells) {
+    cells -= std::min(cells, walls_.size() * walls_.size() / pairs_for_a_cell);
     proven_ = separate(closed_);
     if (proven_) return;
     const Problem& problem = turned_.problem;
@@ -72,11 +75,10 @@ void GateCheck::look_for_sections() {
         make_middle_plane(problem, closed())
             .shortest_path_points(middle_of_chain(problem.start), middle_of_chain(problem.goal),
                                   effort_for_way);
-    auto gates = geometry::gates_on_way(way, walls_, widened_bounds(turned_.problem.requirements));
+    auto gates = geometry::gates_on_way(way, walls_, widened_bounds(problem.requirements));
     std::ranges::sort(gates, std::greater(), narrow_side);
     for (const geometry::Gate& gate : gates) {
-        auto sections =
-            sections_of(gate, walls_, thickness * turned_.problem.requirements.max_step);
+        auto sections = sections_of(gate, walls_, thickness * problem.requirements.max_step);
         std::ranges::reverse(sections);
         for (const GateSection& section : sections)
             if (std::ranges::find(examined_, section) == examined_.end())

@@ -52,7 +52,7 @@ class GateCheck {
     };
 
     bool separate(const std::vector<ClosedPart>& parts) const;
-    void look_for_sections();
+    void look_for_sections(std::size_t& cells);
     void examine_next(std::size_t& cells);
     bool is_slit(const GateSection& section) const;
     std::string place_of_gate(const GateSection& section) const;

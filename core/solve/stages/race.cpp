@@ -83,14 +83,15 @@ class Race {
         report_.tell(progress, std::nullopt);
     }
 
-    /// What is quick at once; passages bit by bit, so that the search keeps nine tenths of the
-    /// time.
+    /// What is quick at once; passages bit by bit, so that the search keeps most of the time, and
+    /// not so late that a bit could take longer than is left.
     void look_for_proof() {
         Feasibility proof;
         if (!passage_check_) {
             proof = check_separation(call_.problem);
             passage_check_.emplace(bounded(call_.problem));
-        } else if (seconds_of_proof_ < share_of_proof() * call_.clock.elapsed()) {
+        } else if (seconds_of_proof_ < share_of_proof() * call_.clock.elapsed() &&
+                   call_.clock.left() > longest_bit) {
             const double begin = call_.clock.elapsed();
             proof = passage_check_->work(cells_at_a_time);
             seconds_of_proof_ += call_.clock.elapsed() - begin;
@@ -143,7 +144,9 @@ class Race {
     /// To draw a node of a tree, or of a roadmap with its edges, and to write it.
     static constexpr double seconds_per_node = 4e-6;
     /// Of chains, for the check of passages: some milliseconds.
-    static constexpr std::size_t cells_at_a_time = 4000;
+    static constexpr std::size_t cells_at_a_time = 2000;
+    /// Seconds that one bit of that check takes at the very most.
+    static constexpr double longest_bit = 0.5;
 
     const SolveCall& call_;
     SolveResult& result_;
