@@ -17,8 +17,7 @@ std::vector<double> cuts(const Span& bounds, std::span<const Span> boxes, double
         for (const double side : {box.low, box.high})
             if (side > bounds.low && side < bounds.high) sides.push_back(side);
     std::ranges::sort(sides);
-    const auto repeated = std::ranges::unique(sides);
-    sides.erase(repeated.begin(), repeated.end());
+    sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
     std::vector<double> all;
     for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
         const double length = sides[i + 1] - sides[i];
