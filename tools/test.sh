@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Installs what is needed, builds and runs all tests, and says at the end which were skipped and why. The
 # build is the one that the compiler is done with first (quick: less optimised, some files at once), with half
-# of the random cases of tests; the programs of all builds compute the same. The Python module is tried by quick, release and asan, where
-# the packages of `tools/install_packages.sh python` are there; what stands on OMPL and MPI by release
-# alone, where those of `tools/install_packages.sh ompl` and `mpi` are.
+# of the random cases of tests; the programs of all builds compute the same. The Python module is tried by
+# release and asan, where the packages of `tools/install_packages.sh python` are there; what stands on OMPL
+# and MPI by release alone, where those of `tools/install_packages.sh ompl` and `mpi` are.
 # test.sh PRESET... runs them in other builds: release as users run the programs, asan with the sanitizers
 # for memory and undefined behaviour, by clang, tsan with the one for threads (only tests that start some),
 # clang with that compiler and no sanitizer.
@@ -64,7 +64,7 @@ for name in "${presets[@]}"; do
     esac
     python=OFF
     case "$name" in
-        quick | release | packages | asan) [ -n "$python_lacks" ] || python=ON ;;
+        release | packages | asan) [ -n "$python_lacks" ] || python=ON ;;
     esac
     ompl=OFF
     mpi=OFF
@@ -93,9 +93,10 @@ for name in "${presets[@]}"; do
         code=0
         ASV_TEST_SCALE=$scale ctest --preset "$name" --rerun-failed || code=$?
     fi
-    [ "$python" = ON ] || [ -z "$python_lacks" ] || echo "No Python module: missing$python_lacks"
+    [ "$name" = quick ] || [ "$python" = ON ] || [ -z "$python_lacks" ] ||
+        echo "No Python module: missing$python_lacks"
     case "$name" in
-        quick) echo "Nothing of OMPL, no programs of MPI: tools/test.sh release has them" ;;
+        quick) echo "No Python module, nothing of OMPL, no programs of MPI: tools/test.sh release has them" ;;
         release)
             [ "$ompl" = ON ] || echo "Nothing of OMPL: missing libompl-dev"
             [ "$mpi" = ON ] || echo "No programs of MPI: missing$mpi_lacks"
