@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 
 /// Plain value types of the plane. No invariants beyond those written here, no behaviour.
 /// Units: workspace units (the side of the field is 1 in the classic problem).
@@ -52,6 +53,16 @@ constexpr bool overlap(const Box& a, const Box& b) {
 constexpr Box bounds(const Segment& segment) {
     return {{std::min(segment.a.x, segment.b.x), std::min(segment.a.y, segment.b.y)},
             {std::max(segment.a.x, segment.b.x), std::max(segment.a.y, segment.b.y)}};
+}
+
+/// The smallest box that holds the points. Precondition: at least one.
+constexpr Box bounding_box(std::span<const Point> points) {
+    Box box{points.front(), points.front()};
+    for (const Point& point : points) {
+        box.low = {std::min(box.low.x, point.x), std::min(box.low.y, point.y)};
+        box.high = {std::max(box.high.x, point.x), std::max(box.high.y, point.y)};
+    }
+    return box;
 }
 
 /// The box with every side moved outwards by margin (inwards where margin is negative).

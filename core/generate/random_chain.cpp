@@ -62,15 +62,6 @@ std::vector<double> draw_turns(std::size_t count, double min_turn, Rng& rng) {
     return turns;
 }
 
-Box bounding_box(std::span<const Point> points) {
-    Box box{points.front(), points.front()};
-    for (const Point& point : points) {
-        box.low = {std::min(box.low.x, point.x), std::min(box.low.y, point.y)};
-        box.high = {std::max(box.high.x, point.x), std::max(box.high.y, point.y)};
-    }
-    return box;
-}
-
 bool is_free(std::span<const Point> chain, std::span<const Box> obstacles, double clearance) {
     // A lone ASV is drawn free as well, though it would meet nothing: that looks like a problem.
     for (std::size_t i = 0; i == 0 || i + 1 < chain.size(); ++i) {

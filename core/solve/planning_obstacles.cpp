@@ -1,25 +1,8 @@
 #include "core/solve/planning_obstacles.hpp"
 
-#include <algorithm>
-#include <span>
-
 #include "core/space/proof/chain_constraints.hpp"
 
 namespace asv::core {
-
-namespace {
-
-/// Precondition: at least one point.
-Box hull_of(std::span<const Point> points) {
-    Box hull{points.front(), points.front()};
-    for (const Point& point : points) {
-        hull.low = {std::min(hull.low.x, point.x), std::min(hull.low.y, point.y)};
-        hull.high = {std::max(hull.high.x, point.x), std::max(hull.high.y, point.y)};
-    }
-    return hull;
-}
-
-}  // namespace
 
 std::shared_ptr<const KeptObstacles> PlanningObstacles::in(const PlanningFrame& frame) const {
     Seen& seen = seen_[frame.transposed() ? 1 : 0];
@@ -39,7 +22,7 @@ std::vector<InvalidEnd> PlanningObstacles::find_invalid_ends(const Problem& prob
     const Path planned = frame.path_in(ends);
     Problem near{problem.start, problem.goal, {}, problem.requirements, problem.body};
     for (std::size_t i = 0; i < planned.size(); ++i)
-        kept->field().index().visit(hull_of(planned.state(i)), [&](std::size_t box) {
+        kept->field().index().visit(geometry::bounding_box(planned.state(i)), [&](std::size_t box) {
             near.obstacles.push_back(problem.obstacles[kept->numbers()[box]]);
             return false;
         });

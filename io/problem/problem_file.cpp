@@ -80,19 +80,10 @@ class ProblemReader {
                        std::to_string(index + 1);
             });
         }
-        const Box box = bounding_box(corners);
+        const Box box = geometry::bounding_box(corners);
         warn_about_corners(corners, box, index);
         scanner_.leave_line(
             [&] { return "the fourth corner of obstacle " + std::to_string(index + 1); });
-        return box;
-    }
-
-    static Box bounding_box(const std::array<Point, 4>& corners) {
-        Box box{corners[0], corners[0]};
-        for (const Point& corner : corners) {
-            box.low = {std::min(box.low.x, corner.x), std::min(box.low.y, corner.y)};
-            box.high = {std::max(box.high.x, corner.x), std::max(box.high.y, corner.y)};
-        }
         return box;
     }
 

@@ -145,14 +145,13 @@ std::vector<LowCorridor> find_low_corridors(const Problem& problem) {
     return LowCorridors(problem).find();
 }
 
-std::string place_of(const LowCorridor& corridor) {
-    const auto& [first, second] = corridor.walls;
+std::string place_of(const std::array<std::optional<std::size_t>, 2>& walls, bool upright) {
+    const auto& [first, second] = walls;
     if (first && second)
         return "between obstacles " + std::to_string(*first + 1) + " and " +
                std::to_string(*second + 1);
     if (!first && !second) return "between opposite borders";
-    const std::string border =
-        corridor.upright ? (first ? "right" : "left") : (first ? "upper" : "lower");
+    const std::string border = upright ? (first ? "right" : "left") : (first ? "upper" : "lower");
     return "between obstacle " + std::to_string((first ? *first : *second) + 1) + " and the " +
            border + " border";
 }
@@ -165,12 +164,13 @@ std::string describe(const std::vector<LowCorridor>& corridors, const Problem& p
     std::string sentence =
         "no chain of " + std::to_string(problem.asv_count()) + " ASVs passes the ";
     if (corridors.size() == 1)
-        return sentence + "corridor " + place_of(corridors[0]) + ": it is " +
-               height_of(corridors[0]) + ", and " + needed;
+        return sentence + "corridor " + place_of(corridors[0].walls, corridors[0].upright) +
+               ": it is " + height_of(corridors[0]) + ", and " + needed;
     sentence += "corridors ";
     for (std::size_t i = 0; i < corridors.size(); ++i) {
         if (i > 0) sentence += i + 1 < corridors.size() ? ", " : " and ";
-        sentence += place_of(corridors[i]) + " (" + height_of(corridors[i]) + ")";
+        sentence += place_of(corridors[i].walls, corridors[i].upright) + " (" +
+                    height_of(corridors[i]) + ")";
     }
     return sentence + ": " + needed;
 }

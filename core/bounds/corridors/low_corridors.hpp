@@ -44,8 +44,9 @@ Point middle_of_chain(const std::vector<Point>& state);
 /// of long obstacles that are near enough to each other. Precondition: the problem has bounds.
 std::vector<LowCorridor> find_low_corridors(const Problem& problem);
 
-/// "between obstacles 2 and 3", "between obstacle 4 and the upper border".
-std::string place_of(const LowCorridor& corridor);
+/// What LowCorridor tells of its walls: "between obstacles 2 and 3", "between obstacle 4 and the
+/// upper border".
+std::string place_of(const std::array<std::optional<std::size_t>, 2>& walls, bool upright);
 
 /// One sentence that names the corridors, with numbers from 1, and the height that is needed at
 /// least: "no chain of 7 ASVs passes the corridor between obstacles 2 and 3: it is 0.0213 high, and

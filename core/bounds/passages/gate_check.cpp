@@ -44,8 +44,7 @@ GateCheck::GateCheck(const TurnedLeft& turned) : turned_(turned) {
     }
     for (const LowCorridor& corridor : find_low_corridors(problem)) {
         const bool upright = corridor.upright != turned_.transposed;
-        closed_.push_back({corridor.closed,
-                           place_of({.closed = {}, .walls = corridor.walls, .upright = upright}),
+        closed_.push_back({corridor.closed, place_of(corridor.walls, upright),
                            corridor.height <= requirements.tolerance});
     }
 }
@@ -159,9 +158,13 @@ std::vector<GateCheck::ClosedPart> GateCheck::decisive_parts() const {
 Feasibility GateCheck::conclusion() const {
     Feasibility found;
     found.cause = Infeasibility::gates_closed;
+    const std::vector<ClosedPart> parts = decisive_parts();
+    if (parts.empty()) {
+        found.reason = "obstacles separate the middle of the chain from its goal";
+        return found;
+    }
     found.reason =
         "no chain of " + std::to_string(turned_.problem.asv_count()) + " ASVs can have its middle ";
-    const std::vector<ClosedPart> parts = decisive_parts();
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (i > 0) found.reason += i + 1 < parts.size() ? ", " : " or ";
         found.reason += parts[i].place;

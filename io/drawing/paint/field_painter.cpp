@@ -117,15 +117,6 @@ void paint_violations(Canvas& canvas, const Scene& scene, const Page& page,
     }
 }
 
-Box bounds(const std::vector<Point>& points) {
-    Box box{points.front(), points.front()};
-    for (const Point& point : points) {
-        box.low = {std::min(box.low.x, point.x), std::min(box.low.y, point.y)};
-        box.high = {std::max(box.high.x, point.x), std::max(box.high.y, point.y)};
-    }
-    return box;
-}
-
 /// Where the label hides least: below, above, right or left of the chain, inside the field.
 Box label_place(const Box& chain, double width, const Scene& scene, const Page& page) {
     const double height = label_size + 6;
@@ -165,7 +156,8 @@ void paint_labels(Canvas& canvas, const Scene& scene, const Page& page, const Pa
                               Align::centre};
         const std::string word = start ? "start" : "goal";
         const double width = canvas.text_width(word, style) + 10;
-        const Box place = label_place(bounds(page.at(line.points)), width, scene, page);
+        const Box place =
+            label_place(geometry::bounding_box(page.at(line.points)), width, scene, page);
         canvas.fill_boxes(std::span(&place, 1), faded(colours.field, 0.85));
         canvas.text({(place.low.x + place.high.x) / 2, place.high.y - 6}, word, style);
     }

@@ -60,12 +60,7 @@ BroomSector broom_sector(const Interval& heading, double shortest, double longes
     };
     sector.corners = {along(shortest, sector.first), along(shortest, sector.last),
                       along(outer, sector.first), along(outer, sector.last)};
-    sector.box = {sector.corners[0], sector.corners[0]};
-    auto& [low, high] = sector.box;
-    for (const geometry::Point& corner : sector.corners) {
-        low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
-        high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
-    }
+    sector.box = geometry::bounding_box(sector.corners);
     return sector;
 }
 

@@ -100,6 +100,14 @@ TEST(PassageCheck, NamesTheBorder) {
     expect_closed(transposed(problem), said_of(4, "between obstacle 1 and the right border"));
 }
 
+TEST(PassageCheck, DoesNotNameWhatOnlyTheToleranceOpens) {
+    Problem problem = short_corridor(4, 0.7, 0.9);
+    problem.obstacles[1].low.y = problem.obstacles[0].high.y;
+    const Feasibility found = check_passages(problem);
+    EXPECT_EQ(found.cause, Infeasibility::gates_closed);
+    EXPECT_EQ(found.reason, "obstacles separate the middle of the chain from its goal");
+}
+
 TEST(PassageCheck, SeesWallsOfSeveralObstacles) {
     Problem problem = short_corridor(4, 0.7, 0.9);
     const Box upper = problem.obstacles[1];
