@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <span>
 #include <utility>
 
@@ -75,10 +74,11 @@ void GateCheck::look_for_sections(std::size_t& cells) {
             .shortest_path_points(middle_of_chain(problem.start), middle_of_chain(problem.goal),
                                   effort_for_way);
     auto gates = geometry::gates_on_way(way, walls_, widened_bounds(problem.requirements));
-    std::ranges::sort(gates, std::greater(), narrow_side);
+    std::sort(gates.begin(), gates.end(),
+              [](const auto& a, const auto& b) { return narrow_side(a) > narrow_side(b); });
     for (const geometry::Gate& gate : gates) {
         auto sections = sections_of(gate, walls_, thickness * problem.requirements.max_step);
-        std::ranges::reverse(sections);
+        std::reverse(sections.begin(), sections.end());
         for (const GateSection& section : sections)
             if (std::ranges::find(examined_, section) == examined_.end())
                 waiting_.push_back(section);

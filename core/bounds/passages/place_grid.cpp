@@ -16,7 +16,7 @@ std::vector<double> cuts(const Span& bounds, std::span<const Span> boxes, double
     for (const Span& box : boxes)
         for (const double side : {box.low, box.high})
             if (side > bounds.low && side < bounds.high) sides.push_back(side);
-    std::ranges::sort(sides);
+    std::sort(sides.begin(), sides.end());
     sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
     std::vector<double> all;
     for (std::size_t i = 0; i + 1 < sides.size(); ++i) {

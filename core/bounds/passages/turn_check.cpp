@@ -50,7 +50,7 @@ TurnCheck::TurnCheck(const Problem& problem, std::span<const Box> closed)
     for (std::size_t place = 0; place < grid_.size(); ++place) {
         const Point middle = geometry::centre(grid_.box(place));
         const auto holds = [&](const Box& wall) { return geometry::contains(wall, middle); };
-        if (std::ranges::none_of(walls_, holds)) continue;
+        if (std::none_of(walls_.begin(), walls_.end(), holds)) continue;
         for (std::size_t part = 0; part < parts; ++part)
             verdicts_[place * parts + part] = Verdict::closed;
     }
@@ -121,7 +121,7 @@ void TurnCheck::work(std::size_t& cells) {
             const std::vector<std::size_t> nodes = way();
             proven_ = nodes.empty();
             const auto unknown = [&](std::size_t i) { return verdicts_[i] == Verdict::unknown; };
-            std::ranges::copy_if(nodes, std::back_inserter(waiting_), unknown);
+            std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(waiting_), unknown);
             finished_ = waiting_.empty();
             // To find it takes as long as to look at some cells.
             cells -= std::min(cells, verdicts_.size() / parts);

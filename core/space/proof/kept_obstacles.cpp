@@ -31,7 +31,10 @@ KeptObstacles::KeptObstacles(std::span<const Box> obstacles, double tolerance, d
 
 std::shared_ptr<const ObstacleField> field_of(std::span<const Box> boxes,
                                               std::shared_ptr<const KeptObstacles> prepared) {
-    if (!prepared || !std::ranges::equal(boxes, prepared->field().boxes()))
+    const auto holds = [boxes](std::span<const Box> others) {
+        return std::equal(boxes.begin(), boxes.end(), others.begin(), others.end());
+    };
+    if (!prepared || !holds(prepared->field().boxes()))
         return std::make_shared<ObstacleField>(boxes);
     const ObstacleField* field = &prepared->field();
     return {std::move(prepared), field};

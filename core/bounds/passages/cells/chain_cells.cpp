@@ -120,8 +120,8 @@ bool ChainCells::narrow(ChainCell& cell) const {
     const double round = 2 * pi + static_cast<double>(brooms_ + 1) * turn_tolerance_;
     headings.back().high = std::min(headings.back().high, headings[0].high + round);
     headings[0].low = std::max(headings[0].low, headings.back().low - round);
-    return std::ranges::all_of(headings,
-                               [](const Interval& each) { return each.low <= each.high; });
+    return std::all_of(headings.begin(), headings.end(),
+                       [](const Interval& each) { return each.low <= each.high; });
 }
 
 /// Twice the area is the sum of l_i l_j sin(theta_j - theta_i) over all pairs i < j of brooms, with
