@@ -66,6 +66,22 @@ def outputs_of_validate():
     expect(sum(not value["valid"] for value in seen["validation"]) >= 9, "too little was not valid")
 
 
+def outputs_of_batches():
+    queries = [{}, {"id": "far", "goal": {"shape": "arc", "at": [0.85, 0.5], "heading": 90, "orientation": "clockwise"}},
+               {"id": 3, "goal": [[0, 0]]}]
+    for number, query in enumerate(queries):
+        Path("line.json").write_text(json.dumps(query))
+        take("line.json", "query")
+    Path("q.jsonl").write_text("".join(f"{json.dumps(query)}\n" for query in queries))
+    worlds = ["bodies/chain-by-hand.json", "bodies/arm-3-workshop.json", "bodies/point-town.json"]
+    for world in worlds:
+        run("asv-solve", "--batch", "q.jsonl", CASES / world, "answers.jsonl", "--optimize", 0, "--quiet", code=3)
+        for answer in Path("answers.jsonl").read_text().splitlines():
+            Path("line.json").write_text(answer)
+            take("line.json", "answer")
+    expect({answer["status"] for answer in seen["answer"]} >= {"solved", "error"}, "not every status was met")
+
+
 def outputs_of_trajectories():
     limits = {"speed": 0.1, "acceleration": 1}
     Path("p.json").write_text(json.dumps({"version": 1, "body": {"kind": "point"}, "start": [0, 0], "goal": [0.002, 0],
@@ -156,7 +172,7 @@ def expect_refused_when_changed(name):
         if isinstance(here, dict) and (not at or at[-1] not in free):
             expect(fault_of(with_value(value, at, {**here, "surplus": 1}), name) is not None,
                    f"{name}: a surplus member at {at} is taken")
-    optional = ("edges", "asv", "broom", "obstacle", "time", "parameters")
+    optional = ("id", "edges", "asv", "broom", "obstacle", "time", "parameters")
     for at in list(places(value))[1:MOST_CHANGES]:
         if isinstance(at[-1], str) and at[-1] not in optional and not set(at[:-1]) & set(free):
             expect(fault_of(without(value, at), name) is not None, f"{name}: nothing at {at} is taken")
@@ -168,12 +184,12 @@ def main():
     os.environ["PATH"] = f"{programs}:{os.environ['PATH']}"
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        for write in (outputs_of_solve, outputs_of_validate, outputs_of_trajectories, outputs_of_certificates,
+        for write in (outputs_of_solve, outputs_of_batches, outputs_of_validate, outputs_of_trajectories, outputs_of_certificates,
                       outputs_of_generate, outputs_of_bench):
             write()
         os.chdir(root)
     for name in schemas:
-        if name == "scenario":
+        if name in ("scenario", "query"):  # that are read
             continue
         expect(seen[name], f"nothing is written as {name}")
         expect_refused_when_changed(name)

@@ -31,14 +31,30 @@ void add_numbers(CLI::App& app, core::SolveOptions& solve) {
         ->transform(whole_number(1, max_threads));
 }
 
+/// Behind the options of the files that only a single problem can fill.
+void add_batch(CLI::App& app, SolveArguments& arguments) {
+    CLI::Option* batch =
+        app.add_option("--batch", arguments.batch,
+                       "Answer the queries of this file about the world of PROBLEM, a line of JSON "
+                       "each, --threads of them at once; - for standard input")
+            ->type_name("FILE.jsonl");
+    for (const char* file : {"--stats", "--certificate", "--trajectory", "--trees"})
+        batch->excludes(app.get_option(file));
+    app.add_option("--solutions", arguments.solutions,
+                   "Write the solution of each query that has one to LINE.txt in this folder")
+        ->type_name("FOLDER")
+        ->needs(batch);
+}
+
 }  // namespace
 
 void add_options(CLI::App& app, SolveArguments& arguments) {
     app.add_option("PROBLEM", arguments.problem, "Problem file; - for standard input")
         ->type_name(problem_file)
         ->required();
-    app.add_option("SOLUTION", arguments.solution, "Solution file to write; - for standard output")
-        ->type_name("FILE.txt")
+    app.add_option("SOLUTION", arguments.solution,
+                   "Solution file to write, with --batch the answers; - for standard output")
+        ->type_name("FILE.txt|.jsonl")
         ->required();
     app.add_option("--planner", arguments.planner, "Planner, see --list-planners")
         ->type_name("PLANNER")
@@ -63,6 +79,7 @@ void add_options(CLI::App& app, SolveArguments& arguments) {
     app.add_option("--trees", arguments.trees,
                    "Write the search trees as JSON; left out where the time limit leaves none")
         ->type_name("FILE.json");
+    add_batch(app, arguments);
     add_reading_options(app, arguments.reading);
     app.add_flag("--reverse", arguments.solve.reverse,
                  "Plan from goal to start; the file still leads from start to goal");
@@ -90,6 +107,14 @@ core::Planner chosen_planner(const SolveArguments& arguments) {
             core::set(planner, setting.substr(0, equals), setting.substr(equals + 1));
         }
         return planner;
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+}
+
+void require_usable_planner(const SolveArguments& arguments, core::BodyKind body) {
+    try {
+        core::require_usable(arguments.solve.planner, body);
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }

@@ -11,7 +11,7 @@ namespace asv::tools {
 
 /// What asv-solve was asked for.
 struct SolveArguments {
-    std::string problem, solution, stats, certificate, trajectory, trees;
+    std::string problem, solution, batch, solutions, stats, certificate, trajectory, trees;
     core::MotionLimits limits;  ///< of the trajectory; where an option says nothing, empty
     std::string planner = "auto";
     std::vector<std::string> settings;
@@ -27,5 +27,8 @@ void add_options(CLI::App& app, SolveArguments& arguments);
 
 /// The planner with its settings. Throws UsageError.
 core::Planner chosen_planner(const SolveArguments& arguments);
+
+/// Throws UsageError where that planner does not plan for such a body.
+void require_usable_planner(const SolveArguments& arguments, core::BodyKind body);
 
 }  // namespace asv::tools

@@ -185,12 +185,16 @@ void report(const SolveArguments& arguments, const core::SolveResult& result,
     if (duration) std::cerr << "trajectory: " << *duration << " s\n";
 }
 
+std::string text_of(const core::InvalidEnd& end) {
+    return (end.goal ? "goal is not valid: " : "start is not valid: ") + end.reason;
+}
+
 void report_invalid_ends(const SolveArguments& arguments, const io::ProblemFile& file,
                          const core::InvalidEnds& invalid) {
     const std::string name = io::escaped(io::input_name(arguments.problem));
     for (const core::InvalidEnd& end : invalid.ends())
         std::cerr << name << ':' << (end.goal ? file.goal_line : file.start_line) << ": "
-                  << (end.goal ? "goal" : "start") << " is not valid: " << end.reason << '\n';
+                  << text_of(end) << '\n';
 }
 
 void warn_of_idle_settings(const SolveArguments& arguments, const core::Problem& problem) {

@@ -35,6 +35,9 @@ void write_trees(const SolveArguments& arguments, const core::SolveResult& resul
 void report(const SolveArguments& arguments, const core::SolveResult& result,
             std::optional<double> duration = {});
 
+/// "start is not valid: REASON".
+std::string text_of(const core::InvalidEnd& end);
+
 /// "FILE:LINE: start is not valid: REASON", one line for each.
 void report_invalid_ends(const SolveArguments& arguments, const io::ProblemFile& file,
                          const core::InvalidEnds& invalid);

@@ -17,6 +17,7 @@
 #include "tools/common/motion_limits_options.hpp"
 #include "tools/common/progress_line.hpp"
 #include "tools/solve/arguments.hpp"
+#include "tools/solve/batch/batch_program.hpp"
 #include "tools/solve/run_report.hpp"
 #include "tools/solve/run_watch.hpp"
 
@@ -55,11 +56,7 @@ void require_usable(const Arguments& arguments, const core::Problem& problem) {
     for (const std::string* output : {&arguments.solution, &arguments.stats, &arguments.certificate,
                                       &arguments.trajectory, &arguments.trees})
         if (!output->empty()) io::require_writable(*output);
-    try {
-        core::require_usable(arguments.solve.planner, problem.body_kind());
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
-    }
+    require_usable_planner(arguments, problem.body_kind());
 }
 
 /// Solves it as the arguments ask for, with what the watch and the terminal want to know.
@@ -108,8 +105,6 @@ std::optional<double> write_outputs(const Arguments& arguments, const core::Prob
 }
 
 ExitCode solve_file(const CommandLine& command_line, Arguments& arguments, const SolveSite& site) {
-    arguments.quiet = command_line.quiet();
-    arguments.solve.planner = chosen_planner(arguments);
     require_format(arguments.trajectory);
     FileRoles roles = roles_of(arguments);
     roles.require_distinct();
@@ -155,7 +150,12 @@ int run_solve_program(int argc, const char* const* argv, const SolveSite& site) 
                                  std::chrono::duration<double>(processor_seconds()));
     add_options(command_line.options(), arguments);
     if (site.threads > 0) arguments.solve.threads = site.threads;
-    return command_line.run(argc, argv, [&] { return solve_file(command_line, arguments, site); });
+    return command_line.run(argc, argv, [&] {
+        arguments.quiet = command_line.quiet();
+        arguments.solve.planner = chosen_planner(arguments);
+        return arguments.batch.empty() ? solve_file(command_line, arguments, site)
+                                       : answer_batch(command_line, arguments);
+    });
 }
 
 }  // namespace asv::tools
