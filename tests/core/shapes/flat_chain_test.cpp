@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <vector>
 
@@ -52,7 +53,7 @@ TEST(MinFlatHeight, OfManyAsvsIsThatOfAHalfStadium) {
     const double n = 5000;
     const double length = 0.05 * (n - 1);
     const double area = Requirements{}.min_area(5000);
-    const double pi = std::acos(-1.0);
+    using std::numbers::pi;
     const double height = (length - std::sqrt(length * length - 2 * pi * area)) / pi;
     EXPECT_NEAR(min_flat_height(5000) / height, 1, 1e-5);
 }
