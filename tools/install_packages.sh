@@ -19,6 +19,7 @@ build_packages=(
     nlohmann-json3-dev             # JSON files
     libcairo2-dev pkg-config       # pictures
     libpng-dev                     # maps that are PNG pictures
+    libyaml-dev                    # maps of ROS
     libsqlite3-dev                 # databases of benchmarks
     libjs-chart.js                 # charts in pages of benchmarks
 )

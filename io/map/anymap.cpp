@@ -33,6 +33,13 @@ Header read_header(MapWords& words, char kind) {
     return header;
 }
 
+/// What of a picture in black and white is occupied.
+struct BitGreys {
+    bool black, white;
+
+    std::uint8_t of(bool is_black) const { return is_black ? black : white; }
+};
+
 /// Complains unless there are so many bytes; before memory is taken for what they would fill.
 void require_bytes(MapWords& words, std::uint64_t bytes, const std::string& what) {
     if (bytes <= words.rest().size()) return;
@@ -41,7 +48,7 @@ void require_bytes(MapWords& words, std::uint64_t bytes, const std::string& what
 }
 
 /// Black and white: rows of bits, each row filled up to a whole byte.
-Grid read_packed_bits(MapWords& words, const Header& header, bool white_is_dark) {
+Grid read_packed_bits(MapWords& words, const Header& header, const BitGreys& occupied) {
     const std::uint64_t row = (header.width + 7) / 8;
     require_bytes(words, row * header.height,
                   std::to_string(row * header.height) + " bytes of pixels");
@@ -55,29 +62,30 @@ Grid read_packed_bits(MapWords& words, const Header& header, bool white_is_dark)
             x = 0;
             ++line;
         }
-        return black || white_is_dark;
+        return occupied.of(black);
     });
     return grid;
 }
 
 /// next() gives one sample after the other.
 template <class Next>
-void fill_with_samples(Grid& grid, const Header& header, double threshold, const Next& next) {
+void fill_with_samples(Grid& grid, const Header& header, const OccupiedGreys& greys,
+                       const Next& next) {
     const auto white = static_cast<double>(header.white);
     fill(grid, [&]() -> std::uint8_t {
-        if (header.samples == 1) return static_cast<double>(next()) * 255 <= threshold * white;
+        if (header.samples == 1) return greys.hold(static_cast<double>(next()) * 255, white);
         const auto red = static_cast<double>(next());
         const auto green = static_cast<double>(next());
-        return luma(red, green, static_cast<double>(next())) * 255 <= threshold * white;
+        return greys.hold(luma(red, green, static_cast<double>(next())) * 255, white);
     });
 }
 
-Grid read_samples(MapWords& words, const Header& header, double threshold) {
+Grid read_samples(MapWords& words, const Header& header, const OccupiedGreys& greys) {
     const std::uint64_t samples = header.width * header.height * header.samples;
     if (!header.binary) {
         if (samples > words.rest().size()) words.fail("more pixels");
         Grid grid = words.make_grid(header.width, header.height);
-        fill_with_samples(grid, header, threshold,
+        fill_with_samples(grid, header, greys,
                           [&] { return words.number("a pixel", 0, header.white); });
         return grid;
     }
@@ -86,7 +94,7 @@ Grid read_samples(MapWords& words, const Header& header, double threshold) {
     Grid grid = words.make_grid(header.width, header.height);
     const std::string_view bytes = words.rest();
     std::size_t at = 0;
-    fill_with_samples(grid, header, threshold, [&] {
+    fill_with_samples(grid, header, greys, [&] {
         std::uint64_t value = static_cast<unsigned char>(bytes[at++]);
         if (size == 2) value = value << 8 | static_cast<unsigned char>(bytes[at++]);
         return value;
@@ -100,16 +108,16 @@ bool is_anymap(std::string_view content) {
     return content.size() > 2 && content[0] == 'P' && content[1] >= '1' && content[1] <= '6';
 }
 
-Grid parse_anymap(std::string_view content, const std::string& name, double threshold) {
+Grid parse_anymap(std::string_view content, const std::string& name, const OccupiedGreys& greys) {
     const char kind = content[1];
     MapWords words(content, name, true);
     const Header header = read_header(words, kind);
-    const bool white_is_dark = threshold >= 255;
-    if (kind == '4') return read_packed_bits(words, header, white_is_dark);
-    if (kind != '1') return read_samples(words, header, threshold);
+    const BitGreys occupied{greys.hold(0), greys.hold(255)};
+    if (kind == '4') return read_packed_bits(words, header, occupied);
+    if (kind != '1') return read_samples(words, header, greys);
     if (header.width * header.height > words.rest().size()) words.fail("more pixels");
     Grid grid = words.make_grid(header.width, header.height);
-    fill(grid, [&]() -> std::uint8_t { return words.bit() != 0 || white_is_dark; });
+    fill(grid, [&]() -> std::uint8_t { return occupied.of(words.bit() != 0); });
     return grid;
 }
 

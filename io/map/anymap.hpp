@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "geometry/boxes/grid_cover.hpp"
+#include "io/map/occupied_greys.hpp"
 
 namespace asv::io {
 
@@ -11,7 +12,8 @@ namespace asv::io {
 bool is_anymap(std::string_view content);
 
 /// A picture of Netpbm as a map: PBM (P1, P4; 1 is black), PGM (P2, P5) or PPM (P3, P6, as its
-/// luma). A pixel of at most `threshold` of 255 is occupied. Throws ParseError.
-geometry::Grid parse_anymap(std::string_view content, const std::string& name, double threshold);
+/// luma). Throws ParseError.
+geometry::Grid parse_anymap(std::string_view content, const std::string& name,
+                            const OccupiedGreys& greys);
 
 }  // namespace asv::io

@@ -93,14 +93,14 @@ Grid parse_text_grid(std::string_view content, const std::string& name) {
 
 }  // namespace
 
-Grid parse_map(std::string_view content, const std::string& name, double threshold) {
-    if (is_anymap(content)) return parse_anymap(content, name, threshold);
-    if (is_png(content)) return parse_png(content, name, threshold);
+Grid parse_map(std::string_view content, const std::string& name, const OccupiedGreys& greys) {
+    if (is_anymap(content)) return parse_anymap(content, name, greys);
+    if (is_png(content)) return parse_png(content, name, greys);
     return parse_text_grid(content, name);
 }
 
-Grid read_map(const std::filesystem::path& file, double threshold) {
-    return parse_map(read_regular_file(file), file.string(), threshold);
+Grid read_map(const std::filesystem::path& file, const OccupiedGreys& greys) {
+    return parse_map(read_regular_file(file), file.string(), greys);
 }
 
 }  // namespace asv::io

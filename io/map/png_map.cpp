@@ -27,7 +27,8 @@ bool is_png(std::string_view content) {
     return content.starts_with("\x89PNG");
 }
 
-geometry::Grid parse_png(std::string_view content, const std::string& name, double threshold) {
+geometry::Grid parse_png(std::string_view content, const std::string& name,
+                         const OccupiedGreys& greys) {
     PngReader reader;
     const auto require = [&](int done) {
         if (done == 0) throw ParseError(name, 1, 1, "a PNG picture", reader.image.message);
@@ -44,7 +45,7 @@ geometry::Grid parse_png(std::string_view content, const std::string& name, doub
     fill(grid, [&] {
         const double brightness = luma(pixel[0], pixel[1], pixel[2]);
         pixel += 3;
-        return static_cast<std::uint8_t>(brightness <= threshold);
+        return static_cast<std::uint8_t>(greys.hold(brightness));
     });
     return grid;
 }

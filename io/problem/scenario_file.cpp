@@ -144,7 +144,8 @@ class ScenarioReader {
         const auto thin = std::find_if(map.obstacles.begin(), map.obstacles.end(), vanishes);
         if (thin != map.obstacles.end()) warn(at, "a rectangle of cells " + *vanishes(*thin));
         obstacles.insert(obstacles.end(), map.obstacles.begin(), map.obstacles.end());
-        maps_.push_back(map.file);
+        maps_.insert(maps_.end(), map.files.begin(), map.files.end());
+        for (Warning& warning : map.warnings) warnings_.add(std::move(warning));
         if (!document_.has(root_ / "bounds")) problem_.requirements.bounds = map.bounds;
     }
 

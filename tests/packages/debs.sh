@@ -31,11 +31,11 @@ needs() {
 }
 
 holds asv-brooms bin/asv-{bench,generate,solve,validate,view}
-needs asv-brooms libc6 libcairo2 libgmp10 libpng16-16 libsqlite3-0
+needs asv-brooms libc6 libcairo2 libgmp10 libpng16-16 libyaml-0-2 libsqlite3-0
 holds libasv-dev include/asv/core/solve/solve.hpp include/asv/io/problem/problem_file.hpp \
     lib/libasv_{benchmark,core,generate,geometry,io,io_benchmark}.a lib/cmake/asv/asv-config.cmake \
     lib/pkgconfig/asv-{benchmark,core,generate,io,io-benchmark}.pc
-needs libasv-dev libmpfr-dev libgmp-dev libcairo2-dev libpng-dev libsqlite3-dev
+needs libasv-dev libmpfr-dev libgmp-dev libcairo2-dev libpng-dev libyaml-dev libsqlite3-dev
 if compgen -G "$folder/python3-asv_*.deb" > /dev/null; then
     holds python3-asv lib/python3/dist-packages/asv/__init__.py lib/python3/dist-packages/asv/py.typed
     needs python3-asv python3 python3-numpy libcairo2

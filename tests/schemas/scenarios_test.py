@@ -24,7 +24,8 @@ ARM = {"version": 1, "body": {"kind": "arm", "base": [1, 0], "links": [2, 1], "a
 LIMITED = {"version": 1, "body": {"kind": "arm", "base": [1, 0], "links": [2], "angles": "absolute", "joints": [0, 3]},
            "bounds": None, "start": [0], "goal": [1]}
 POINT = {"version": 1, "body": {"kind": "point"}, "start": [8, 10], "goal": [290, 188], "step": 0.5,
-         "map": {"file": "town.png", "threshold": 127, "cell": 1, "origin": [0, 0, 0]},
+         "map": {"file": "town.png", "threshold": 127, "cell": 1, "origin": [0, 0, 0], "transpose": False,
+                 "flip": False},
          "limits": {"speed": 1.5, "acceleration": [0.3]}}
 SAMPLES = {"chain": CHAIN, "shapes": SHAPES, "arc": ARC, "arm": ARM, "limited": LIMITED, "point": POINT}
 
@@ -40,7 +41,7 @@ OUT_OF_RANGE = [
     (ARC, ("unit",), ""), (ARC, ("unit",), "µ" * 17), (ARC, ("unit",), "m\n"), (ARM, ("body", "links"), []), (ARM, ("body", "links", 0), 0), (ARM, ("body", "angles"), "degrees"),
     (ARM, ("body", "joints"), []), (ARM, ("body", "joints", 0), "stop"), (ARM, ("start",), []),
     (POINT, ("map", "threshold"), 256), (POINT, ("map", "cell"), 0), (POINT, ("map", "file"), ""),
-    (POINT, ("map", "origin"), [0]), (POINT, ("map", "origin", 2), 1), (POINT, ("goal",), [1, 2, 3]),
+    (POINT, ("map", "unknown"), "free"), (POINT, ("map", "origin"), [0]), (POINT, ("map", "origin", 2), 1), (POINT, ("goal",), [1, 2, 3]),
     (POINT, ("limits", "speed"), 0), (POINT, ("limits", "speed"), 1e13), (POINT, ("limits", "acceleration"), []),
     (POINT, ("limits", "acceleration", 0), 1e-13)]
 

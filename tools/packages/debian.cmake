@@ -57,7 +57,7 @@ if(ASV_BUILD_IO)
 endif()
 set(needed_to_link libmpfr-dev libgmp-dev)
 if(ASV_BUILD_IO)
-  list(APPEND needed_to_link pkg-config libcairo2-dev libpng-dev libsqlite3-dev)
+  list(APPEND needed_to_link pkg-config libcairo2-dev libpng-dev libyaml-dev libsqlite3-dev)
 endif()
 
 set(needed_to_run)

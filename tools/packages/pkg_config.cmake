@@ -32,7 +32,7 @@ asv_pkg_config(generate DESCRIPTION "problems made to order" LIBRARIES asv_gener
 asv_pkg_config(benchmark DESCRIPTION "runs of planners over problems" LIBRARIES asv_benchmark NEEDS core)
 if(ASV_BUILD_IO)
   asv_pkg_config(io DESCRIPTION "files, pictures and the player" LIBRARIES asv_io NEEDS core
-    PACKAGES cairo cairo-pdf cairo-png cairo-svg libpng)
+    PACKAGES cairo cairo-pdf cairo-png cairo-svg libpng yaml-0.1)
   asv_pkg_config(io_benchmark DESCRIPTION "tables and files of benchmarks" LIBRARIES asv_io_benchmark
     NEEDS io benchmark PACKAGES sqlite3)
 endif()

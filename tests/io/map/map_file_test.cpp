@@ -81,8 +81,8 @@ TEST(MapFile, OnlyRegularFilesAreMaps) {
 }
 
 TEST(MapFile, TheThresholdCounts) {
-    EXPECT_EQ(picture(parse_map("P2 3 1 255 99 100 101", "m", 100)), "##.\n");
-    EXPECT_EQ(picture(parse_map("P2 3 1 255 0 1 2", "m", 0)), "#..\n");
+    EXPECT_EQ(picture(parse_map("P2 3 1 255 99 100 101", "m", {0, 100})), "##.\n");
+    EXPECT_EQ(picture(parse_map("P2 3 1 255 0 1 2", "m", {0, 0})), "#..\n");
 }
 
 TEST(MapFile, ReadsAGridOfDigits) {

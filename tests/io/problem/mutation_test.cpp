@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "io/map/map_file.hpp"
+#include "io/map/ros_map.hpp"
 #include "io/problem/problem_file.hpp"
 #include "io/problem/scenario_file.hpp"
 #include "io/solution/solution_file.hpp"
@@ -150,6 +151,19 @@ TEST(Mutation, ABrokenMapIsUnderstoodOrRefused) {
             ASSERT_EQ(grid.cells.size(), grid.width * grid.height);
         });
     }
+}
+
+TEST(Mutation, ABrokenMapOfRosIsUnderstoodOrRefused) {
+    const test::TemporaryFolder folder;
+    write_file(folder / "m",
+               "image: a.png\nresolution: 0.05\norigin: [-10, 5.5, 0]\nnegate: 0 # no\n"
+               "occupied_thresh: 0.65\nfree_thresh: 0.25\n");
+    try_variants_of(folder / "m", 1, [](const std::string& text) {
+        const RosMap map = parse_ros_map(text, "m");
+        ASSERT_FALSE(map.image.empty());
+        ASSERT_GT(map.resolution, 0);
+        ASSERT_LE(map.free_thresh, map.occupied_thresh);
+    });
 }
 
 }  // namespace

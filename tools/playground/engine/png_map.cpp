@@ -20,7 +20,8 @@ bool is_png(std::string_view content) {
     return content.starts_with("\x89PNG");
 }
 
-geometry::Grid parse_png(std::string_view content, const std::string& name, double threshold) {
+geometry::Grid parse_png(std::string_view content, const std::string& name,
+                         const OccupiedGreys& greys) {
     constexpr int colours = 4;  // red, green, blue, opacity
     constexpr double opaque = 255;
     int width = 0, height = 0;
@@ -37,7 +38,7 @@ geometry::Grid parse_png(std::string_view content, const std::string& name, doub
         const double share = pixel[3] / opaque;
         const double brightness = share * luma(pixel[0], pixel[1], pixel[2]) + (1 - share) * opaque;
         pixel += colours;
-        return static_cast<std::uint8_t>(brightness <= threshold);
+        return static_cast<std::uint8_t>(greys.hold(brightness));
     });
     return grid;
 }
