@@ -34,7 +34,7 @@ std::vector<double> ticks(double low, double high) {
     const double step = tick_step(high - low);
     std::vector<double> result;
     for (double k = std::ceil(low / step); k * step <= high + step * 1e-9; ++k) {
-        result.push_back(k * step);
+        result.push_back(k * step + 0.0);  // no "-0"
     }
     return result;
 }
