@@ -11,6 +11,7 @@ bin=build/release/bin
 gallery=docs/gallery
 seconds=30
 planner_cases=(3ASV 3ASV-clutter-20 7ASV-x6)
+worlds=(harbour islands river floor machine-room)
 shown_cases=(3ASV-maze 3ASV-spiral 3ASV-clutter-100 7ASV-x4 15ASV 15ASV-x6 25ASV-crossing)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -24,9 +25,14 @@ planner_options() {
     [[ $1 != prm-* ]] || echo "--set samples=200 --set neighbours=5"
 }
 
+# The file of a case, which is a scenario where it is a world.
+problem() {
+    if [ -e "testcases/$1.txt" ]; then echo "testcases/$1.txt"; else echo "testcases/worlds/$1.json"; fi
+}
+
 # solve PLANNER CASE: fails when the planner finds no solution in time.
 solve() {
-    "$bin/asv-solve" "testcases/$2.txt" "$work/$2.txt" $(planner_options "$1") --seed 1 --threads 1 --quiet \
+    "$bin/asv-solve" "$(problem "$2")" "$work/$2.txt" $(planner_options "$1") --seed 1 --threads 1 --quiet \
         --time-limit "$seconds" --optimize 1 --trees "$work/$2.trees.json" --stats "$work/$2.stats.json"
 }
 
@@ -34,7 +40,7 @@ solve() {
 draw() {
     local case=$1 file=$2
     shift 2
-    "$bin/asv-view" "testcases/$case.txt" "$work/$case.txt" --stats "$work/$case.stats.json" "$@" -o "$file"
+    "$bin/asv-view" "$(problem "$case")" "$work/$case.txt" --stats "$work/$case.stats.json" "$@" -o "$file"
 }
 
 # figure NAME TITLE CASE [OPTION...]: its picture, and on standard output its place in a page.
@@ -83,6 +89,7 @@ index_page() {
         if [ -e "$gallery/$planner.md" ]; then echo "- [$planner]($planner.md): $(summary "$planner")"; fi
     done
     printf -- '- [test cases](testcases.md) and their solutions\n'
+    printf -- '- [worlds](worlds.md) that look like real ones\n'
 }
 
 testcases_page() {
@@ -98,6 +105,22 @@ testcases_page() {
     done
 }
 
+worlds_page() {
+    local world
+    echo "# Worlds that look like real ones"
+    echo
+    echo "In metres, from boxes, charts that are pictures, and a map of ROS ([testcases/README.md](../../testcases/README.md#worlds-that-look-like-real-ones))."
+    echo "Solved by \`auto\` with seed 1, one thread and one second of improvement:"
+    echo
+    echo "    asv-solve testcases/worlds/WORLD.json WORLD.txt --seed 1 --threads 1"
+    echo "    asv-view testcases/worlds/WORLD.json WORLD.txt -o WORLD.svg"
+    for world in "${worlds[@]}"; do
+        printf '\n## %s\n\n' "$world"
+        solve auto "$world"
+        figure "world-$world" "$world and a way through it" "$world"
+    done
+}
+
 mkdir -p "$gallery"
 for planner in ${*:-$(planners)}; do
     planner_page "$planner" > "$work/page"
@@ -109,6 +132,8 @@ if [ $# -eq 0 ]; then
     draw 7ASV docs/7ASV-dark.svg --theme dark
     testcases_page > "$work/page"
     mv "$work/page" "$gallery/testcases.md"
+    worlds_page > "$work/page"
+    mv "$work/page" "$gallery/worlds.md"
 fi
 index_page > "$work/page"
 mv "$work/page" "$gallery/README.md"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "io/text/atomic_file.hpp"
 #include "tests/kit/chains/problems.hpp"
@@ -20,8 +21,9 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> scenarios() {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(test::testcase_file("bodies")))
-        if (entry.path().extension() == ".json") names.push_back(entry.path().string());
+    for (const char* folder : {"bodies", "worlds"})
+        for (const auto& entry : fs::directory_iterator(test::testcase_file(folder)))
+            if (entry.path().extension() == ".json") names.push_back(entry.path().string());
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -59,6 +61,25 @@ TEST_P(EveryScenario, IsSolvedValidatedAndShown) {
         {GetParam(), solution, "--trees", trees, "--stats", stats, "-o", svg, "-o", page});
     EXPECT_EQ(viewed.exit_code, 0) << viewed.err;
     EXPECT_GT(fs::file_size(svg), 1000U);
+}
+
+TEST(Worlds, SuitChainsOfOtherLengths) {
+    const test::TemporaryFolder folder;
+    fs::copy(test::testcase_file("worlds"), folder.path());
+    for (const char* world : {"harbour", "islands", "river", "floor"}) {
+        for (const int asv_count : {3, 10}) {
+            const std::string file = folder / (std::string(world) + ".json");
+            nlohmann::json scenario = nlohmann::json::parse(io::read_file(file));
+            scenario["body"]["asv_count"] = asv_count;
+            io::write_file(file, scenario.dump());
+            const std::string solution = folder / "s.txt";
+            const test::Outcome solved =
+                test::run_program("asv-solve", {file, solution, "--optimize", "0"});
+            EXPECT_EQ(solved.exit_code, 0) << world << ", " << asv_count << ": " << solved.err;
+            EXPECT_EQ(test::run_program("asv-validate", {file, solution, "--continuous"}).exit_code,
+                      0);
+        }
+    }
 }
 
 TEST(ScenarioProgram, AScenarioIsJudgedByItsOwnTolerance) {
