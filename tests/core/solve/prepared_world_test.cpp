@@ -9,6 +9,7 @@
 #include "core/search/rng.hpp"
 #include "core/validation/validate.hpp"
 #include "tests/kit/chains/problems.hpp"
+#include "tests/kit/scaled.hpp"
 #include "tests/kit/solving.hpp"
 
 namespace asv::core {
@@ -60,7 +61,7 @@ TEST(PreparedWorld, AnswersAsSolveDoesWhateverThePlanner) {
         SCOPED_TRACE(name);
         SolveOptions options = plain(1);
         options.planner = planner_named(name);
-        options.max_iterations = 20'000;
+        options.max_iterations = test::scaled(20'000);
         expect_as_solve(testcase("3ASV.txt"), options);
     }
 }
