@@ -50,7 +50,8 @@ QueryFile::QueryFile(const std::filesystem::path& file, const core::Problem& wor
 std::optional<Query> QueryFile::next() {
     constexpr std::string_view blanks = " \t\r";
     while (next_line())
-        if (line_.find_first_not_of(blanks) != std::string::npos) return parsed_line();
+        if (line_.size() > longest_query || line_.find_first_not_of(blanks) != std::string::npos)
+            return parsed_line();
     return std::nullopt;
 }
 

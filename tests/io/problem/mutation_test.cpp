@@ -12,44 +12,13 @@
 #include "io/solution/solution_file.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/parse_error.hpp"
+#include "tests/kit/files/mutated.hpp"
 #include "tests/kit/files/random_files.hpp"
 #include "tests/kit/files/temporary_folder.hpp"
 #include "tests/kit/scaled.hpp"
 
 namespace asv::io {
 namespace {
-
-/// The text with one to five places broken as a bad disk, an editor or an enemy would.
-std::string mutated(std::string text, test::Random& random) {
-    static constexpr std::array<std::string_view, 14> words = {
-        "nan", "-inf",   "1e999",      "-1", "18446744073709551615", "0x1f", "\n\n",
-        " ",   "1e-999", "1000000000", "\r", "\xEF\xBB\xBF",         ",",    "0"};
-    for (std::size_t i = 1 + random.below(5); i > 0 && !text.empty(); --i) {
-        const std::size_t place = random.below(text.size());
-        const std::size_t length = 1 + random.below(20);
-        switch (random.below(6)) {
-            case 0:
-                text[place] = static_cast<char>(random.bits());
-                break;
-            case 1:
-                text.erase(place, length);
-                break;
-            case 2:
-                text.insert(place, text.substr(random.below(text.size()), length));
-                break;
-            case 3:
-                text.insert(place, words[random.below(words.size())]);
-                break;
-            case 4:
-                text.resize(place);
-                break;
-            default:
-                text.insert(place, 1, static_cast<char>(random.bits()));
-                break;
-        }
-    }
-    return text;
-}
 
 bool all_finite(std::span<const geometry::Point> points) {
     return std::all_of(points.begin(), points.end(), [](const geometry::Point& point) {
@@ -67,7 +36,7 @@ void try_variants_of(const std::filesystem::path& file, std::uint64_t seed, cons
     test::Random random(seed);
     for (std::size_t i = 0; i < tries; ++i) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", variant " + std::to_string(i));
-        const std::string text = mutated(original, random);
+        const std::string text = test::mutated(original, random);
         try {
             check(text);
             ++understood;
