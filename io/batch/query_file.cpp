@@ -49,7 +49,7 @@ QueryFile::QueryFile(const std::filesystem::path& file, const core::Problem& wor
 
 std::optional<Query> QueryFile::next() {
     constexpr std::string_view blanks = " \t\r";
-    while (next_line())
+    while (!ended_ && next_line())
         if (line_.size() > longest_query || line_.find_first_not_of(blanks) != std::string::npos)
             return parsed_line();
     return std::nullopt;
@@ -61,7 +61,9 @@ bool QueryFile::next_line() {
     constexpr int end = std::char_traits<char>::eof();
     try {
         int byte = bytes.sbumpc();
-        if (byte == end) return false;
+        // A terminal would go on behind its end.
+        ended_ = byte == end;
+        if (ended_) return false;
         for (; byte != end && byte != '\n'; byte = bytes.sbumpc())
             if (line_.size() <= longest_query) line_.push_back(static_cast<char>(byte));
     } catch (const std::ios_base::failure& error) {  // a directory, or a disk that fails

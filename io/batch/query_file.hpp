@@ -30,6 +30,8 @@ class QueryFile {
     /// "-" is standard input. world says which body has to be placed; it has to live as long.
     /// Throws ReadError.
     QueryFile(const std::filesystem::path& file, const core::Problem& world);
+    QueryFile(const QueryFile&) = delete;
+    QueryFile& operator=(const QueryFile&) = delete;
 
     /// None at the end of the file. A line that cannot be understood is a query with an error;
     /// empty lines are passed over. Throws ReadError.
@@ -43,6 +45,7 @@ class QueryFile {
     const core::Problem& world_;
     std::ifstream file_;
     std::istream& stream_;
+    bool ended_ = false;
     std::size_t number_ = 0;
     std::string line_;  ///< a byte too long where it is too long
 };

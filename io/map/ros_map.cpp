@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <map>
+#include <new>
 
 #include <yaml.h>
 
@@ -19,8 +20,7 @@ constexpr double between_greys = 1e-6;
 constexpr double smallest_resolution = 1e-70;
 
 /// Libyaml counts lines and columns from 0, and takes the end for a line of its own.
-TextPlace place_of(const yaml_mark_t& mark, std::string_view content) {
-    const TextPlace end = place_of_offset(content, content.size());
+TextPlace place_of(const yaml_mark_t& mark, const TextPlace& end) {
     return mark.line < end.line ? TextPlace{mark.line + 1, mark.column + 1} : end;
 }
 
@@ -28,15 +28,17 @@ TextPlace place_of(const yaml_mark_t& mark, std::string_view content) {
 class YamlDocument {
   public:
     YamlDocument(std::string_view content, const std::string& name) {
-        yaml_parser_initialize(&parser_);
+        if (yaml_parser_initialize(&parser_) == 0) throw std::bad_alloc();
         const auto* bytes = reinterpret_cast<const unsigned char*>(content.data());
         yaml_parser_set_input_string(&parser_, bytes, content.size());
         if (yaml_parser_load(&parser_, &document_) == 1) return;
-        const TextPlace place = place_of(parser_.problem_mark, content);
-        const ParseError error(name, place.line, place.column, "YAML",
-                               parser_.problem == nullptr ? "something else" : parser_.problem);
+        const bool no_memory = parser_.error == YAML_MEMORY_ERROR;
+        const yaml_mark_t mark = parser_.problem_mark;
+        const std::string problem = parser_.problem == nullptr ? "no YAML" : parser_.problem;
         yaml_parser_delete(&parser_);
-        throw error;
+        if (no_memory) throw std::bad_alloc();
+        const TextPlace place = place_of(mark, place_of_offset(content, content.size()));
+        throw ParseError(name, place.line, place.column, "YAML", problem);
     }
     ~YamlDocument() {
         yaml_document_delete(&document_);
@@ -65,7 +67,7 @@ std::string text_of(const yaml_node_t& node) {
 class RosMapReader {
   public:
     RosMapReader(std::string_view content, const std::string& name)
-        : document_(content, name), content_(content), name_(name) {
+        : document_(content, name), name_(name), end_(place_of_offset(content, content.size())) {
         const yaml_node_t* root = document_.root();
         if (root == nullptr || root->type != YAML_MAPPING_NODE)
             throw ParseError(name, 1, 1, "names and values, as in 'resolution: 0.05'",
@@ -78,8 +80,9 @@ class RosMapReader {
     RosMap read() {
         RosMap map;
         const yaml_node_t& image = value("image");
-        if (!is_scalar(image) || text_of(image).empty()) fail(image, "the name of a picture");
-        map.image = text_of(image);
+        if (is_scalar(image)) map.image = text_of(image);
+        if (map.image.empty() || map.image.find('\0') != std::string::npos)
+            fail(image, "the name of a picture");
         map.resolution = number(value("resolution"), smallest_resolution, largest_number,
                                 "the side of a pixel, above 0");
         map.origin = read_origin(value("origin"));
@@ -89,7 +92,7 @@ class RosMapReader {
                                  "a number from 0 to occupied_thresh");
         if (values_.contains("mode")) require_mode(value("mode"));
         for (const auto& [key, node] : values_) {
-            const TextPlace place = place_of(node->start_mark, content_);
+            const TextPlace place = place_of(node->start_mark, end_);
             map.warnings.push_back(
                 {name_, place.line, place.column, "'" + key + "' is passed over"});
         }
@@ -98,7 +101,7 @@ class RosMapReader {
 
   private:
     [[noreturn]] void fail(const yaml_node_t& at, const std::string& expected) const {
-        const TextPlace place = place_of(at.start_mark, content_);
+        const TextPlace place = place_of(at.start_mark, end_);
         throw ParseError(name_, place.line, place.column, expected,
                          is_scalar(at) ? "'" + text_of(at) + "'" : "a list or names");
     }
@@ -111,10 +114,8 @@ class RosMapReader {
     /// The value of that name, which is not passed over then.
     const yaml_node_t& value(const std::string& key) {
         const auto found = values_.find(key);
-        if (found == values_.end()) {
-            const TextPlace end = place_of_offset(content_, content_.size());
-            throw ParseError(name_, end.line, end.column, "a line '" + key + ": ...'", "none");
-        }
+        if (found == values_.end())
+            throw ParseError(name_, end_.line, end_.column, "a line '" + key + ": ...'", "none");
         return *values_.extract(found).mapped();
     }
 
@@ -158,8 +159,8 @@ class RosMapReader {
     }
 
     YamlDocument document_;
-    std::string_view content_;
     const std::string& name_;
+    TextPlace end_;
     std::map<std::string, const yaml_node_t*> values_;
 };
 

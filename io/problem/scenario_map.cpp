@@ -23,7 +23,7 @@ using geometry::Grid;
 using geometry::Point;
 using Pointer = JsonDocument::Pointer;
 
-constexpr std::size_t largest_map_yaml = std::size_t{1} << 20U;  // bytes
+constexpr std::size_t largest_map_yaml = std::size_t{1} << 16U;  // bytes
 
 /// Where the cells come from and where they lie.
 struct Layout {

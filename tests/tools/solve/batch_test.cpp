@@ -193,6 +193,18 @@ TEST_F(SolveBatch, WhatCannotWorkIsToldBeforeAnythingIsTouched) {
     EXPECT_EQ(answer_text(), "precious");
 }
 
+TEST_F(SolveBatch, NoSolutionDestroysAnInput) {
+    io::write_file(in("2.txt"), world);
+    io::write_file(in("q.jsonl"), "{}\n{}\n");
+    const Outcome outcome =
+        run_program("asv-solve", {"--batch", in("q.jsonl"), in("2.txt"), in("answers"),
+                                  "--optimize", "0", "--solutions", folder_.path().string()});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(contains(outcome.err, "are the same file")) << outcome.err;
+    EXPECT_EQ(io::read_file(in("2.txt")), world);
+    EXPECT_EQ(answers().size(), 1U);
+}
+
 TEST_F(SolveBatch, NoPartOfAnAnswerIsLeftWhereItCannotBeWritten) {
     io::write_file(in("w.json"), world);
     io::write_file(in("q.jsonl"), "{}\n{}\n{}\n{}\n{}\n{}\n");

@@ -36,8 +36,19 @@ struct Tally {
 
 struct Answer {
     std::string line;
-    std::size_t Tally::*counts_as;
+    std::size_t Tally::*counts_as = nullptr;
 };
+
+/// What the work throws; null where it throws nothing.
+template <class Work>
+std::exception_ptr failure_of(const Work& work) {
+    try {
+        work();
+        return nullptr;
+    } catch (...) {
+        return std::current_exception();
+    }
+}
 
 std::filesystem::path solution_file(const std::filesystem::path& folder, std::size_t line) {
     return folder / (std::to_string(line) + ".txt");
@@ -60,8 +71,9 @@ void report(const Tally& tally, double seconds) {
 /// Threads that each take the next query, answer it, and wait with the answer for its turn.
 class Batch {
   public:
-    Batch(const SolveArguments& arguments, core::Problem problem)
+    Batch(const SolveArguments& arguments, FileRoles roles, core::Problem problem)
         : arguments_(arguments),
+          roles_(std::move(roles)),
           world_(std::move(problem)),
           queries_(arguments.batch, world_.problem()),
           answers_(arguments.solution),
@@ -86,34 +98,32 @@ class Batch {
 
   private:
     void work() {
-        try {
-            while (answer_next()) continue;
-        } catch (...) {
-            const std::lock_guard lock(writing_);
-            if (!failure_) failure_ = std::current_exception();
-            turn_.notify_all();
-        }
+        while (answer_next()) continue;
     }
 
-    /// False where there is nothing more to do.
+    /// False where there is nothing more to do. What goes wrong does so in its turn, so that the
+    /// answers before it are there.
     bool answer_next() {
         std::size_t turn = 0;
         std::optional<io::Query> query;
+        Answer answer;
+        std::exception_ptr failure;
         {
             const std::lock_guard lock(reading_);
-            query = queries_.next();
             turn = taken_++;
+            failure = failure_of([&] { query = queries_.next(); });
         }
-        if (!query) return false;
-        const Answer answer = answer_to(*query);
+        if (!query && !failure) return false;
+        if (query) failure = failure_of([&] { answer = answer_to(*query); });
         std::unique_lock lock(writing_);
         turn_.wait(lock, [&] { return written_ == turn || failure_; });
         if (failure_) return false;
-        answers_.write(answer.line);
-        ++(tally_.*answer.counts_as);
+        if (!failure) failure = failure_of([&] { answers_.write(answer.line); });
+        failure_ = failure;
+        if (!failure_) ++(tally_.*answer.counts_as);
         ++written_;
         turn_.notify_all();
-        return true;
+        return !failure_;
     }
 
     Answer answer_to(const io::Query& query) const {
@@ -121,8 +131,7 @@ class Batch {
         try {
             const core::SolveResult result = world_.solve(query.ends, options_);
             if (result.solution && !arguments_.solutions.empty())
-                io::write_solution(solution_file(arguments_.solutions, query.line),
-                                   *result.solution);
+                write_solution(query.line, *result.solution);
             return {io::answer_text(query, result, world_.problem().body_kind()),
                     result.solution ? &Tally::solved : &Tally::unsolved};
         } catch (const core::InvalidEnds& invalid) {
@@ -135,7 +144,16 @@ class Batch {
         }
     }
 
+    void write_solution(std::size_t line, const core::Solution& solution) const {
+        const std::filesystem::path file = solution_file(arguments_.solutions, line);
+        FileRoles roles = roles_;
+        roles.add_output("a file of --solutions", file);
+        roles.require_distinct();
+        io::write_solution(file, solution);
+    }
+
     const SolveArguments& arguments_;
+    FileRoles roles_;
     core::PreparedWorld world_;
     io::QueryFile queries_;
     AnswerFile answers_;
@@ -153,7 +171,7 @@ class Batch {
 
 }  // namespace
 
-ExitCode answer_batch(const CommandLine& command_line, SolveArguments& arguments) {
+ExitCode answer_batch(const CommandLine& command_line, const SolveArguments& arguments) {
     FileRoles roles;
     roles.add_input("PROBLEM", arguments.problem);
     roles.add_input("--batch", arguments.batch);
@@ -166,7 +184,8 @@ ExitCode answer_batch(const CommandLine& command_line, SolveArguments& arguments
     require_places(arguments);
     require_usable_planner(arguments, file.problem.body_kind());
     warn_of_idle_settings(arguments, file.problem);
-    const Tally tally = Batch(arguments, std::move(file.problem)).run(arguments.solve.threads);
+    const Tally tally =
+        Batch(arguments, roles, std::move(file.problem)).run(arguments.solve.threads);
     if (!command_line.quiet())
         report(tally,
                std::chrono::duration<double>(core::Clock::now() - arguments.started).count());
