@@ -153,8 +153,9 @@ int run_solve_program(int argc, const char* const* argv, const SolveSite& site) 
     return command_line.run(argc, argv, [&] {
         arguments.quiet = command_line.quiet();
         arguments.solve.planner = chosen_planner(arguments);
-        return arguments.batch.empty() ? solve_file(command_line, arguments, site)
-                                       : answer_batch(command_line, arguments);
+        if (arguments.batch.empty()) return solve_file(command_line, arguments, site);
+        if (!site.alone) throw UsageError("--batch is for one process, not for a race of many");
+        return answer_batch(command_line, arguments);
     });
 }
 

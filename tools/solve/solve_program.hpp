@@ -18,6 +18,7 @@ struct SolveSite {
     /// What users are told of it in the end, a line; none for nothing.
     std::function<std::string()> summary = {};
     std::size_t threads = 0;  ///< where --threads says nothing; 0: one for each processor
+    bool alone = true;        ///< one process for all, which can answer a batch
 };
 
 /// The program, from its arguments to its exit code.

@@ -65,6 +65,7 @@ TEST(SolveRanks, AnswersThatAreNotPathsAreThoseOfOneProcess) {
     EXPECT_EQ(code("infeasible/wall-across.txt", {"--time-limit", "0.3"}), 1);
     EXPECT_EQ(code("infeasible/opposite-orientation.txt", {}), 4);
     EXPECT_EQ(code("7ASV.txt", {"--trees", (folder / "trees.json").string()}), 2);
+    EXPECT_EQ(code("7ASV.txt", {"--batch", "no-such-file.jsonl"}), 2);
     EXPECT_EQ(code("no-such-file.txt", {}), 3);
 }
 

@@ -25,6 +25,7 @@ int main(int argc, char** argv) try {
     tools::SolveSite site;
     site.solve = [&](const auto&... task) { return race.solve(task...); };
     site.summary = [&] { return race.summary(); };
+    site.alone = false;
     site.threads = std::max(1U, std::thread::hardware_concurrency() / ranks_here);
     const int code = tools::run_solve_program(argc, argv, site);
     tools::dismiss_others(mail);
