@@ -3,7 +3,7 @@
 # build is the one that the compiler is done with first (quick: less optimised, some files at once), with half
 # of the random cases of tests; the programs of all builds compute the same. The Python module is tried by
 # release and asan, where the packages of `tools/install_packages.sh python` are there; what stands on OMPL
-# and MPI by release alone, where those of `tools/install_packages.sh ompl` and `mpi` are.
+# and MPI by release alone, where those of `tools/install_packages.sh ompl` and `mpi` are; the site by release alone.
 # test.sh PRESET... runs them in other builds: release as users run the programs, asan with the sanitizers
 # for memory and undefined behaviour, by clang, tsan with the one for threads (only tests that start some),
 # clang with that compiler and no sanitizer.
@@ -96,7 +96,9 @@ for name in "${presets[@]}"; do
     [ "$name" = quick ] || [ "$python" = ON ] || [ -z "$python_lacks" ] ||
         echo "No Python module: missing$python_lacks"
     case "$name" in
-        quick) echo "No Python module, nothing of OMPL, no programs of MPI: tools/test.sh release has them" ;;
+        quick)
+            echo "No Python module, nothing of OMPL, no programs of MPI, no site: tools/test.sh release has them"
+            ;;
         release)
             [ "$ompl" = ON ] || echo "Nothing of OMPL: missing libompl-dev"
             [ "$mpi" = ON ] || echo "No programs of MPI: missing$mpi_lacks"
