@@ -1,6 +1,7 @@
 #include "io/problem/scenario_map.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -31,6 +32,7 @@ struct Layout {
     OccupiedGreys greys;
     double cell = 1;
     Point origin{};
+    std::optional<OccupiedGreys> certain;  ///< where others are to be told as unknown
 };
 
 /// The path without links and dots, as far as it exists; in a browser, which has no file system, as
@@ -128,27 +130,30 @@ class MapReader {
             locate(ros.image, file.parent_path(), "a map.yaml whose image is a relative path",
                    "a map.yaml whose image is below the folder of the scenario");
         map_.files.push_back(picture);
-        return {picture, ros.occupied(unknown_is_obstacle(ros, picture)), ros.resolution,
-                ros.origin};
+        const std::optional<bool> unknown = unknown_is_obstacle();
+        Layout layout{
+            picture, ros.occupied(unknown.value_or(true)), ros.resolution, ros.origin, {}};
+        if (!unknown) layout.certain = ros.occupied(false);
+        return layout;
     }
 
-    bool unknown_is_obstacle(const RosMap& ros, const fs::path& picture) {
+    /// None where the scenario does not say so.
+    std::optional<bool> unknown_is_obstacle() const {
         const Pointer at = at_ / "unknown";
-        if (document_.has(at)) {
-            const std::string word = document_.text(at);
-            if (word != "obstacle" && word != "free")
-                document_.fail(at, "\"obstacle\" or \"free\"");
-            return word == "obstacle";
-        }
-        const auto occupied = [&](bool unknown) {
-            const Grid grid = read_grid(picture, ros.occupied(unknown));
-            return std::count(grid.cells.begin(), grid.cells.end(), 1);
+        if (!document_.has(at)) return std::nullopt;
+        const std::string word = document_.text(at);
+        if (word != "obstacle" && word != "free") document_.fail(at, "\"obstacle\" or \"free\"");
+        return word == "obstacle";
+    }
+
+    void warn_of_unknown(const Grid& grid, const Grid& certain) {
+        const auto occupied = [](const Grid& cells) {
+            return std::count(cells.cells.begin(), cells.cells.end(), 1);
         };
-        if (const auto unknown = occupied(true) - occupied(false); unknown > 0)
+        if (const auto unknown = occupied(grid) - occupied(certain); unknown > 0)
             map_.warnings.push_back(document_.warning(
                 at_, "unknown cells (" + std::to_string(unknown) +
                          ") are taken for obstacles, which a member \"unknown\" can say"));
-        return true;
     }
 
     Grid read_grid(const fs::path& picture, const OccupiedGreys& greys) const {
@@ -157,6 +162,7 @@ class MapReader {
 
     void place_cells(const Layout& layout) {
         Grid grid = read_grid(layout.picture, layout.greys);
+        if (layout.certain) warn_of_unknown(grid, read_grid(layout.picture, *layout.certain));
         if (is_wanted("transpose")) grid = transposed(grid);
         if (is_wanted("flip")) grid = flipped(grid);
         const auto rectangles = geometry::cover(grid, max_obstacles);
